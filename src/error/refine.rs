@@ -1,0 +1,68 @@
+//! Parameters do not make sense, or a refinement step was not made.
+
+use std::fmt;
+
+/// A parameter, or a pair of them, that has no meaning.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ConfigError {
+    /// The name of the parameter.
+    pub name: &'static str,
+    /// The value it was given.
+    pub value: String,
+    /// What would be allowed, or why this is not.
+    pub expected: String,
+}
+
+impl fmt::Display for ConfigError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}: {}", self.name, self.value, self.expected)
+    }
+}
+
+impl std::error::Error for ConfigError {}
+
+/// Why a refinement step was not made. The mesh and its history are as they were before the step.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum RefineError {
+    /// The step would make more faces than allowed.
+    TooManyFaces {
+        /// Faces after the step.
+        needed: u64,
+        /// Faces allowed.
+        allowed: u64,
+    },
+    /// The step would make more vertices than 32-bit ids can name.
+    TooManyVertices {
+        /// Vertices after the step.
+        needed: u64,
+    },
+    /// An edge would be split for the 256th time.
+    TooDeep,
+    /// A selection names a vertex that does not exist.
+    NoVertex(crate::id::VertexId),
+    /// A new position is not a finite number.
+    NonFinite(crate::id::VertexId),
+    /// The caller asked to stop.
+    Cancelled,
+}
+
+impl fmt::Display for RefineError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooManyFaces { needed, allowed } => write!(
+                f,
+                "the step would make {needed} faces, allowed are {allowed}; take fewer levels, a smaller selection or a higher limit"
+            ),
+            Self::TooManyVertices { needed } => {
+                write!(f, "the step would make {needed} vertices, 32-bit ids name at most {}", u32::MAX)
+            }
+            Self::TooDeep => write!(f, "an edge would be split for the 256th time; take fewer levels"),
+            Self::NoVertex(v) => write!(f, "the selection names {v}, which does not exist"),
+            Self::NonFinite(v) => write!(f, "the new position of {v} is not finite; scale the mesh down"),
+            Self::Cancelled => write!(f, "cancelled"),
+        }
+    }
+}
+
+impl std::error::Error for RefineError {}

@@ -1,0 +1,18 @@
+//! Adaptive subdivision of triangle meshes on a graph rotation system.
+
+pub mod error;
+pub mod id;
+pub mod mesh;
+pub mod rotation;
+pub mod scheme;
+pub mod scratch;
+pub mod shapes;
+pub mod soup;
+pub mod step;
+
+pub use glam;
+pub use petgraph;
+
+pub use id::{DirectedEdge, Edge, Triangle, VertexId};
+pub use mesh::Mesh;
+pub use rotation::{Ring, RotationSystem};

@@ -1,0 +1,185 @@
+//! The mesh: a rotation system of triangles, a position a vertex, and tags of sharp edges and corners.
+//!
+//! It is always an oriented 2-manifold, with or without boundary: [`Mesh::from_triangles`] refuses everything else with
+//! all reasons, and whatever changes a mesh keeps it one.
+//!
+//! Read in this order: [`Mesh`], [`Tags`] and [`VertexClass`], [`Neighborhood`].
+//!
+//! **Deliberately not here**: birth levels and parents of vertices. They belong to a run of refinements, not to a mesh,
+//! and live in [`History`](crate::step::History).
+
+mod build;
+mod neighborhood;
+mod tags;
+
+pub use neighborhood::{Neighborhood, VertexClass};
+pub use tags::Tags;
+
+use glam::DVec3;
+
+use crate::id::{Edge, Triangle, VertexId};
+use crate::rotation::{Ring, RotationSystem};
+use crate::soup::FaceList;
+
+/// An oriented 2-manifold of triangles, with or without boundary.
+///
+/// ```
+/// use vvmesh::{Mesh, glam::DVec3};
+/// let corners = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
+/// let mesh = Mesh::from_triangles(corners, &[[0, 1, 2]])?;
+/// assert_eq!((mesh.vertex_count(), mesh.edge_count(), mesh.face_count()), (3, 3, 1));
+/// assert!(mesh.vertices().all(|v| mesh.is_boundary(v)));
+/// # Ok::<(), vvmesh::error::BuildError>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Mesh {
+    rotation: RotationSystem,
+    positions: Vec<DVec3>,
+    tags: Tags,
+}
+
+impl Mesh {
+    /// The rings, which are also a graph for petgraph's algorithms.
+    #[inline]
+    #[must_use]
+    pub fn rotation(&self) -> &RotationSystem {
+        &self.rotation
+    }
+
+    /// Where every vertex is, by id.
+    #[inline]
+    #[must_use]
+    pub fn positions(&self) -> &[DVec3] {
+        &self.positions
+    }
+
+    /// The positions, to be changed. Their number stays.
+    #[inline]
+    #[must_use]
+    pub fn positions_mut(&mut self) -> &mut [DVec3] {
+        &mut self.positions
+    }
+
+    /// Where a vertex is.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    #[inline]
+    #[must_use]
+    pub fn position(&self, v: VertexId) -> DVec3 {
+        self.positions[v.index()]
+    }
+
+    /// The sharp edges and corners.
+    #[inline]
+    #[must_use]
+    pub fn tags(&self) -> &Tags {
+        &self.tags
+    }
+
+    /// Tags an edge sharp, or takes the tag off. A boundary edge is sharp by nature; a tag on it changes nothing.
+    ///
+    /// Answers whether there is such an edge; without one nothing is changed.
+    pub fn set_sharp(&mut self, edge: Edge, sharp: bool) -> bool {
+        let [a, b] = edge.ends();
+        let exists = self.rotation.has_edge(a, b);
+        if exists {
+            self.tags.set_sharp(edge, sharp);
+        }
+        exists
+    }
+
+    /// Tags a vertex as a corner, or takes the tag off.
+    ///
+    /// Answers whether there is such a vertex; without one nothing is changed.
+    pub fn set_corner(&mut self, v: VertexId, corner: bool) -> bool {
+        let exists = self.rotation.contains(v);
+        if exists {
+            self.tags.set_corner(v, corner);
+        }
+        exists
+    }
+
+    /// What a scheme may see: rings and tags, no positions.
+    #[inline]
+    #[must_use]
+    pub fn neighborhood(&self) -> Neighborhood<'_> {
+        Neighborhood::new(&self.rotation, &self.tags)
+    }
+
+    /// How many vertices there are, isolated ones too.
+    #[inline]
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.rotation.vertex_count()
+    }
+
+    /// How many edges there are. O(1).
+    #[inline]
+    #[must_use]
+    pub fn edge_count(&self) -> usize {
+        self.rotation.edge_count()
+    }
+
+    /// How many triangles there are. O(1).
+    #[inline]
+    #[must_use]
+    pub fn face_count(&self) -> usize {
+        self.rotation.triangle_count()
+    }
+
+    /// All vertices by id.
+    pub fn vertices(&self) -> impl ExactSizeIterator<Item = VertexId> + DoubleEndedIterator + Clone + use<> {
+        self.rotation.vertices()
+    }
+
+    /// All edges, by their smaller end, then in the order of its ring.
+    pub fn edges(&self) -> impl Iterator<Item = Edge> + Clone {
+        self.rotation.edges()
+    }
+
+    /// All triangles, by their smallest corner, then in the order of its ring.
+    pub fn triangles(&self) -> impl Iterator<Item = Triangle> + Clone {
+        self.rotation.triangles()
+    }
+
+    /// The ring of a vertex.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    #[inline]
+    #[must_use]
+    pub fn ring(&self, v: VertexId) -> Ring<'_> {
+        self.rotation.ring(v)
+    }
+
+    /// Whether a vertex lies on a boundary. O(1).
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    #[inline]
+    #[must_use]
+    pub fn is_boundary(&self, v: VertexId) -> bool {
+        self.rotation.is_boundary(v)
+    }
+
+    /// The triangles as a list, in the order of [`Mesh::triangles`]; vertex `k` stays vertex `k`.
+    #[must_use]
+    pub fn to_face_list(&self) -> FaceList {
+        let mut list = FaceList::new(self.positions.clone());
+        for triangle in self.triangles() {
+            list.push_face(&triangle.corners().map(|v| v.index() as u32));
+        }
+        list
+    }
+
+    /// Bytes held: rings, positions and tags.
+    #[must_use]
+    pub fn memory_bytes(&self) -> usize {
+        self.rotation.memory_bytes() + self.positions.capacity() * size_of::<DVec3>() + self.tags.memory_bytes()
+    }
+
+    pub(crate) fn parts_mut(&mut self) -> (&mut RotationSystem, &mut Vec<DVec3>, &mut Tags) {
+        (&mut self.rotation, &mut self.positions, &mut self.tags)
+    }
+}

@@ -1,0 +1,88 @@
+//! What a scheme may see of a mesh: rings and tags around one place.
+
+use smallvec::SmallVec;
+
+use super::Tags;
+use crate::id::{Edge, VertexId};
+use crate::rotation::{Ring, RotationSystem};
+
+/// How sharp the surroundings of a vertex are, by the number of sharp edges at it, boundary edges counted.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum VertexClass {
+    /// No sharp edge.
+    Smooth,
+    /// One sharp edge: the end of a crease.
+    Dart,
+    /// Two sharp edges.
+    Crease,
+    /// Three or more sharp edges, or tagged a corner.
+    Corner,
+}
+
+/// A read-only view of rings and tags, without positions.
+#[derive(Clone, Copy, Debug)]
+pub struct Neighborhood<'a> {
+    rotation: &'a RotationSystem,
+    tags: &'a Tags,
+}
+
+impl<'a> Neighborhood<'a> {
+    pub(crate) fn new(rotation: &'a RotationSystem, tags: &'a Tags) -> Self {
+        Self { rotation, tags }
+    }
+
+    /// The ring of a vertex.
+    #[inline]
+    #[must_use]
+    pub fn ring(&self, v: VertexId) -> Ring<'a> {
+        self.rotation.ring(v)
+    }
+
+    /// Whether an edge between two neighbours is sharp: tagged, or on a boundary. O(valence).
+    #[inline]
+    #[must_use]
+    pub fn is_sharp(&self, a: VertexId, b: VertexId) -> bool {
+        self.tags.is_sharp(Edge::new(a, b)) || self.rotation.is_boundary_edge(a, b)
+    }
+
+    /// The class of a vertex. O(sharp edges at it).
+    #[inline]
+    #[must_use]
+    pub fn class(&self, v: VertexId) -> VertexClass {
+        let ring = self.rotation.ring(v);
+        if self.tags.is_empty() {
+            return if ring.is_open() { VertexClass::Crease } else { VertexClass::Smooth };
+        }
+        if self.tags.is_corner(v) {
+            return VertexClass::Corner;
+        }
+        let tagged = self.tags.sharp_neighbors(v);
+        let sharp = if ring.is_open() {
+            let on_boundary = |w: &&VertexId| self.rotation.is_boundary_edge(v, **w);
+            2 + tagged.len() - tagged.iter().filter(on_boundary).count()
+        } else {
+            tagged.len()
+        };
+        match sharp {
+            0 => VertexClass::Smooth,
+            1 => VertexClass::Dart,
+            2 => VertexClass::Crease,
+            _ => VertexClass::Corner,
+        }
+    }
+
+    /// The slots in the ring of a vertex to which sharp edges lead, ascending; empty for a smooth vertex. O(valence).
+    #[must_use]
+    pub fn sharp_slots(&self, v: VertexId) -> impl ExactSizeIterator<Item = usize> + use<> {
+        let ring = self.rotation.ring(v);
+        let tagged = self.tags.sharp_neighbors(v);
+        let last = ring.valence().saturating_sub(1);
+        let slots: SmallVec<[usize; 4]> = ring
+            .iter()
+            .enumerate()
+            .filter(|(slot, w)| (ring.is_open() && (*slot == 0 || *slot == last)) || tagged.contains(w))
+            .map(|(slot, _)| slot)
+            .collect();
+        slots.into_iter()
+    }
+}

@@ -1,0 +1,71 @@
+//! Faces without a structure: what a file holds before it is known to be a mesh.
+//!
+//! A [`FaceList`] is positions and polygons that name them by number. Anything can stand in it, also what no mesh can
+//! hold; [`FaceList::defects`] tells what is wrong and [`FaceList::triangulate`] makes triangles of the polygons.
+//!
+//! **Deliberately not here**: files ([`crate::io`]) and the mesh itself ([`crate::mesh`]).
+
+mod defects;
+
+use glam::DVec3;
+
+/// Positions, and polygons whose corners are indices into them, in counter-clockwise order seen from outside.
+///
+/// It promises nothing: indices may be out of range, positions may be no numbers, corners may repeat.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FaceList {
+    /// Where vertex `k` is.
+    pub positions: Vec<DVec3>,
+    corners: Vec<u32>,
+    /// Where each face ends in `corners`.
+    ends: Vec<u32>,
+}
+
+impl FaceList {
+    /// A list with these positions and no face.
+    #[must_use]
+    pub fn new(positions: Vec<DVec3>) -> Self {
+        Self { positions, ..Self::default() }
+    }
+
+    /// A list of triangles.
+    #[must_use]
+    pub fn from_triangles(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Self {
+        let corners = triangles.as_flattened().to_vec();
+        let ends = (1..=triangles.len()).map(|k| 3 * k as u32).collect();
+        Self { positions, corners, ends }
+    }
+
+    /// Adds a face at the end.
+    pub fn push_face(&mut self, corners: &[u32]) {
+        self.corners.extend_from_slice(corners);
+        self.ends.push(self.corners.len() as u32);
+    }
+
+    /// How many vertices there are, used or not.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// How many faces there are, of any number of sides.
+    #[must_use]
+    pub fn face_count(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// The corners of face `k`.
+    ///
+    /// # Panics
+    /// If there is no face `k`.
+    #[must_use]
+    pub fn face(&self, k: usize) -> &[u32] {
+        let start = if k == 0 { 0 } else { self.ends[k - 1] as usize };
+        &self.corners[start..self.ends[k] as usize]
+    }
+
+    /// The faces in their order, each as its corners.
+    pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
+        (0..self.face_count()).map(|k| self.face(k))
+    }
+}
