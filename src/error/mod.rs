@@ -11,7 +11,7 @@ mod refine;
 mod write;
 
 pub use build::{BuildError, Defect, DefectKind};
-pub use edit::EditError;
+pub use edit::{EditError, RingDefect};
 pub use read::{ReadError, ReadErrorKind};
 pub use refine::{ConfigError, RefineError};
 pub use write::WriteError;

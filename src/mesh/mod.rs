@@ -9,6 +9,7 @@
 //! and live in [`History`](crate::step::History).
 
 mod build;
+mod edit;
 mod neighborhood;
 mod tags;
 

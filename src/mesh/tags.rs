@@ -108,6 +108,21 @@ impl Tags {
         self.update(x, |entry| entry.sharp.extend([a, b]));
     }
 
+    /// Hands all tags of `remove` to `keep`, after the edge between them was drawn together.
+    pub(crate) fn merge(&mut self, keep: VertexId, remove: VertexId) {
+        let Some(entry) = self.entry(remove).cloned() else { return };
+        for w in entry.sharp {
+            self.set_sharp(Edge::new(remove, w), false);
+            if w != keep {
+                self.set_sharp(Edge::new(keep, w), true);
+            }
+        }
+        if entry.corner {
+            self.set_corner(remove, false);
+            self.set_corner(keep, true);
+        }
+    }
+
     pub(crate) fn memory_bytes(&self) -> usize {
         self.slots.capacity() * size_of::<u32>() + self.entries.capacity() * size_of::<Entry>()
     }

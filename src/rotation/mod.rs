@@ -3,15 +3,25 @@
 //! It answers what is next to what. A graph with such lists has exactly one embedding in an oriented surface, so edges,
 //! faces, boundary loops, Euler characteristic and genus all follow from the rings.
 //!
-//! Read in this order: [`Ring`], [`RotationSystem`], then `walk` (faces, loops, components), `edit` and `transaction`
-//! (changes that keep it whole), `validate` (what may be wrong with it).
+//! Read in this order: [`Ring`] and its [`Circulator`], [`RotationSystem`], then `walk` (faces, loops, components as
+//! [`VertexLists`]), `edit` and `transaction` (changes that keep it whole; [`Transaction`] for raw ones), `validate`
+//! (what may be wrong with it, as [`RingDefect`](crate::error::RingDefect)s).
 //!
 //! **Deliberately not here**: positions, tags, anything but integers.
 
+mod circulator;
+mod edit;
+mod reverse;
 mod ring;
+mod transaction;
+mod validate;
+mod walk;
 
+pub use circulator::Circulator;
 pub use ring::Ring;
 pub(crate) use ring::RingBuf;
+pub use transaction::Transaction;
+pub use walk::{FaceWalk, VertexLists};
 
 use crate::id::{DirectedEdge, Edge, Triangle, VertexId};
 
@@ -232,6 +242,13 @@ impl RotationSystem {
     pub(crate) fn insert_after(&mut self, v: VertexId, slot: usize, neighbor: VertexId) {
         self.rings[v.index()].insert(slot + 1, neighbor);
         self.entries += 1;
+    }
+
+    /// Takes out the neighbour at a slot. It must not be the last one of an open ring: an empty ring has no gap.
+    #[inline]
+    pub(crate) fn remove_at(&mut self, v: VertexId, slot: usize) {
+        self.rings[v.index()].remove(slot);
+        self.entries -= 1;
     }
 }
 

@@ -158,20 +158,30 @@ impl<'a> Ring<'a> {
         }
     }
 
+    /// The neighbour behind (counter-clockwise of) a slot, or `None` across the gap.
+    #[inline]
+    pub(crate) fn behind(self, slot: usize) -> Option<VertexId> {
+        self.slot_after(slot).map(|slot| self.neighbors[slot])
+    }
+
+    /// The neighbour ahead (clockwise) of a slot, or `None` across the gap.
+    #[inline]
+    pub(crate) fn ahead(self, slot: usize) -> Option<VertexId> {
+        self.slot_before(slot).map(|slot| self.neighbors[slot])
+    }
+
     /// The neighbour after (counter-clockwise of) this one; `None` across the gap, and for a vertex that is no neighbour.
     #[inline]
     #[must_use]
     pub fn next(self, neighbor: VertexId) -> Option<VertexId> {
-        let slot = self.slot_of(neighbor)?;
-        self.slot_after(slot).map(|slot| self.neighbors[slot])
+        self.behind(self.slot_of(neighbor)?)
     }
 
     /// The neighbour before (clockwise of) this one; `None` across the gap, and for a vertex that is no neighbour.
     #[inline]
     #[must_use]
     pub fn prev(self, neighbor: VertexId) -> Option<VertexId> {
-        let slot = self.slot_of(neighbor)?;
-        self.slot_before(slot).map(|slot| self.neighbors[slot])
+        self.ahead(self.slot_of(neighbor)?)
     }
 
     /// The neighbours counter-clockwise from the start of the ring.
