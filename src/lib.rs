@@ -1,5 +1,6 @@
 //! Adaptive subdivision of triangle meshes on a graph rotation system.
 
+pub mod check;
 pub mod error;
 pub mod id;
 pub mod mesh;

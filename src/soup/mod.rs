@@ -5,7 +5,18 @@
 //!
 //! **Deliberately not here**: files ([`crate::io`]) and the mesh itself ([`crate::mesh`]).
 
+mod census;
 mod defects;
+mod disjoint;
+mod sieve;
+mod table;
+
+pub use census::{Census, Valences};
+pub(crate) use defects::{bow_ties, enumerated, non_finite, non_manifold_edges, orientation, too_many_vertices};
+pub(crate) use sieve::Sieve;
+pub(crate) use table::{EdgeTable, Fans, TableEdge};
+
+use std::ops::Range;
 
 use glam::DVec3;
 
@@ -60,12 +71,21 @@ impl FaceList {
     /// If there is no face `k`.
     #[must_use]
     pub fn face(&self, k: usize) -> &[u32] {
-        let start = if k == 0 { 0 } else { self.ends[k - 1] as usize };
-        &self.corners[start..self.ends[k] as usize]
+        &self.corners[self.corner_range(k)]
     }
 
     /// The faces in their order, each as its corners.
     pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
         (0..self.face_count()).map(|k| self.face(k))
+    }
+
+    /// Where the corners of face `k` stand among all corners.
+    fn corner_range(&self, k: usize) -> Range<usize> {
+        let start = if k == 0 { 0 } else { self.ends[k - 1] as usize };
+        start..self.ends[k] as usize
+    }
+
+    fn corner_ranges(&self) -> impl Iterator<Item = Range<usize>> {
+        (0..self.face_count()).map(|k| self.corner_range(k))
     }
 }
