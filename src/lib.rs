@@ -3,6 +3,7 @@
 pub mod check;
 pub mod error;
 pub mod id;
+pub mod limit;
 pub mod mesh;
 pub mod rotation;
 pub mod scheme;

@@ -3,7 +3,7 @@
 //! It is always an oriented 2-manifold, with or without boundary: [`Mesh::from_triangles`] refuses everything else with
 //! all reasons, and whatever changes a mesh keeps it one.
 //!
-//! Read in this order: [`Mesh`], [`Tags`] and [`VertexClass`], [`Neighborhood`].
+//! Read in this order: [`Mesh`], [`Tags`] and [`VertexClass`], [`Neighborhood`], [`Sector`].
 //!
 //! **Deliberately not here**: birth levels and parents of vertices. They belong to a run of refinements, not to a mesh,
 //! and live in [`History`](crate::step::History).
@@ -11,9 +11,11 @@
 mod build;
 mod edit;
 mod neighborhood;
+mod sector;
 mod tags;
 
 pub use neighborhood::{Neighborhood, VertexClass};
+pub use sector::Sector;
 pub use tags::Tags;
 
 use glam::DVec3;

@@ -45,6 +45,14 @@ impl<'a> Neighborhood<'a> {
         self.tags.is_sharp(Edge::new(a, b)) || self.rotation.is_boundary_edge(a, b)
     }
 
+    /// Whether an edge is tagged sharp; one on a boundary is sharp without a tag. O(tagged edges at `a`), and a test of a
+    /// length where nothing is tagged.
+    #[inline]
+    #[must_use]
+    pub fn is_tagged(&self, a: VertexId, b: VertexId) -> bool {
+        !self.tags.is_empty() && self.tags.is_sharp(Edge::new(a, b))
+    }
+
     /// The class of a vertex. O(sharp edges at it).
     #[inline]
     #[must_use]

@@ -3,12 +3,27 @@
 //! A [`Scheme`] answers, for an old vertex or for the [`Parent`] of a new one, with a [`Mask`]: groups of vertices with a
 //! weight. It sees rings and tags through a [`Neighborhood`], no positions, and edits nothing.
 //!
+//! [`Loop`] approximates: even vertices move and the limit is smooth. [`Butterfly`] and [`ModifiedButterfly`] interpolate:
+//! even vertices stay. [`Midpoint`] changes the triangles and not the surface.
+//!
+//! Every mask adds to 1 (up to the rounding of its weights) and reads the stars of the vertex, or of both ends of the edge,
+//! and nothing else: the exactness of incremental refinement stands on that.
+//!
 //! **Deliberately not here**: the positions ([`crate::subdivide`] applies masks to them) and the topology of a split
 //! ([`crate::split`]).
 
+mod butterfly;
+mod loop_;
 mod mask;
+mod midpoint;
+mod modified_butterfly;
 
+pub use butterfly::Butterfly;
+pub use loop_::{Loop, LoopWeights};
+pub(crate) use loop_::{cos_of_turn, crease_neighbors};
 pub use mask::{Mask, MaskSink};
+pub use midpoint::Midpoint;
+pub use modified_butterfly::ModifiedButterfly;
 
 use crate::id::VertexId;
 use crate::mesh::Neighborhood;
@@ -33,8 +48,11 @@ pub trait Scheme {
     /// What the position of an odd vertex depends on.
     fn reach(&self) -> Reach;
 
-    /// Writes the mask of an even vertex.
-    fn even(&self, around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink);
+    /// Writes the mask of an even vertex. The default leaves it where it is.
+    #[inline]
+    fn even(&self, _around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink) {
+        mask.group(1.0, [v]);
+    }
 
     /// Writes the mask of the odd vertex on an edge.
     fn odd(&self, around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink);

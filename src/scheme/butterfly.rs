@@ -1,0 +1,79 @@
+//! The Butterfly scheme.
+
+use super::{MaskSink, Reach, Scheme};
+use crate::id::VertexId;
+use crate::mesh::Neighborhood;
+use crate::rotation::Ring;
+use crate::step::Parent;
+
+/// The original Butterfly scheme: the 8-point mask on every edge, whatever the valences of its ends.
+///
+/// The ends have 1/2 each, the two opposite corners 1/8, the four *wings* (the corners beyond the other edges of the two
+/// triangles) −1/16. Vertices that coincide on a small mesh get the sum of their weights.
+///
+/// Near a boundary the mesh is thought continued by parallelograms: a missing wing is the sum of the ends of its edge minus
+/// the corner opposite. Of a boundary edge the whole missing side is made so; its share is then zero. Tags of sharp edges
+/// and corners have no meaning for this scheme and are not read.
+///
+/// The limit is smooth but at vertices of valence 3 and of 8 and more; [`ModifiedButterfly`](super::ModifiedButterfly)
+/// mends that.
+///
+/// Source: Dyn, Levin & Gregory 1990, A butterfly subdivision scheme, with tension w = 1/16.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Butterfly;
+
+impl Scheme for Butterfly {
+    #[inline]
+    fn moves_even(&self) -> bool {
+        false
+    }
+
+    #[inline]
+    fn reach(&self) -> Reach {
+        Reach::BothStars
+    }
+
+    #[inline]
+    fn odd(&self, around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
+        eight_point(around, parent, mask);
+    }
+}
+
+/// One wing as the vertices that have −1/16 for it, and the one that has 1/16 if it is made by a parallelogram.
+struct Wing {
+    minus: [Option<VertexId>; 2],
+    plus: Option<VertexId>,
+}
+
+impl Wing {
+    /// The wing beyond the edge `a - b` of a triangle whose third corner is `opposite`.
+    fn new(found: Option<VertexId>, [a, b]: [VertexId; 2], opposite: VertexId) -> Self {
+        match found {
+            Some(wing) => Wing { minus: [Some(wing), None], plus: None },
+            None => Wing { minus: [Some(a), Some(b)], plus: Some(opposite) },
+        }
+    }
+
+    const NONE: Wing = Wing { minus: [None; 2], plus: None };
+}
+
+/// Writes the 8-point mask.
+///
+/// Opposite corners and wings come counter-clockwise from `p`'s left, so the order of summing does not depend on ids.
+pub(super) fn eight_point(around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
+    let Parent { p, q, left, right } = *parent;
+    let (at_p, at_q) = (around.ring(p), around.ring(q));
+    let after = |ring: Ring<'_>, v| ring.next(v);
+    let before = |ring: Ring<'_>, v| ring.prev(v);
+    let on_left = left.map(|c| [Wing::new(after(at_p, c), [p, c], q), Wing::new(before(at_q, c), [c, q], p)]);
+    let on_right = right.map(|d| [Wing::new(after(at_q, d), [q, d], p), Wing::new(before(at_p, d), [d, p], q)]);
+    let sides = [on_left, on_right].map(|side| side.unwrap_or([Wing::NONE; 2]));
+    let wings = || sides.iter().flatten();
+
+    mask.group(0.5, [p, q]);
+    mask.group(0.125, [left, right].into_iter().flatten());
+    mask.group(-0.0625, wings().flat_map(|wing| wing.minus).flatten());
+    if wings().any(|wing| wing.plus.is_some()) {
+        mask.group(0.0625, wings().filter_map(|wing| wing.plus));
+    }
+}
