@@ -8,6 +8,7 @@ pub mod mesh;
 pub mod rotation;
 pub mod scheme;
 pub mod scratch;
+pub mod select;
 pub mod shapes;
 pub mod soup;
 pub mod step;
