@@ -2,9 +2,11 @@
 
 pub mod check;
 pub mod error;
+pub mod graph;
 pub mod id;
 pub mod limit;
 pub mod mesh;
+pub mod query;
 pub mod rotation;
 pub mod scheme;
 pub mod scratch;
