@@ -1,10 +1,10 @@
 //! Adaptive subdivision of triangle meshes on a graph rotation system.
 
+pub mod adaptive;
+pub mod certify;
 pub mod check;
 pub mod error;
-pub mod graph;
 pub mod id;
-pub mod limit;
 pub mod mesh;
 pub mod query;
 pub mod rotation;
@@ -13,7 +13,9 @@ pub mod scratch;
 pub mod select;
 pub mod shapes;
 pub mod soup;
+pub mod split;
 pub mod step;
+pub mod subdivide;
 
 pub use glam;
 pub use petgraph;

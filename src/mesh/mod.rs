@@ -8,12 +8,14 @@
 //! **Deliberately not here**: birth levels and parents of vertices. They belong to a run of refinements, not to a mesh,
 //! and live in [`History`](crate::step::History).
 
+mod boundary;
 mod build;
 mod edit;
 mod neighborhood;
 mod sector;
 mod tags;
 
+pub use boundary::BoundaryPolicy;
 pub use neighborhood::{Neighborhood, VertexClass};
 pub use sector::Sector;
 pub use tags::Tags;

@@ -23,6 +23,12 @@ impl RingBuf {
         buf
     }
 
+    /// A closed ring of six, which needs no length to be known.
+    #[inline]
+    pub(crate) fn regular(neighbors: [VertexId; INLINE]) -> Self {
+        Self(SmallVec::from_buf(neighbors))
+    }
+
     /// A closed ring in the given order.
     #[inline]
     pub(crate) fn closed(neighbors: &[VertexId]) -> Self {

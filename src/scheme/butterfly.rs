@@ -28,6 +28,10 @@ impl Scheme for Butterfly {
         false
     }
 
+    fn reads_tags(&self) -> bool {
+        false
+    }
+
     #[inline]
     fn reach(&self) -> Reach {
         Reach::BothStars

@@ -119,6 +119,10 @@ impl Scheme for Loop {
         true
     }
 
+    fn reads_tags(&self) -> bool {
+        true
+    }
+
     #[inline]
     fn reach(&self) -> Reach {
         Reach::OneStar

@@ -14,6 +14,10 @@ impl Scheme for Midpoint {
         false
     }
 
+    fn reads_tags(&self) -> bool {
+        false
+    }
+
     #[inline]
     fn reach(&self) -> Reach {
         Reach::Ends

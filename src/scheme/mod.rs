@@ -12,12 +12,15 @@
 //! **Deliberately not here**: the positions ([`crate::subdivide`] applies masks to them) and the topology of a split
 //! ([`crate::split`]).
 
+mod any;
 mod butterfly;
 mod loop_;
 mod mask;
 mod midpoint;
 mod modified_butterfly;
 
+pub use any::AnyScheme;
+pub(crate) use any::with_scheme;
 pub use butterfly::Butterfly;
 pub use loop_::{Loop, LoopWeights};
 pub(crate) use loop_::{cos_of_turn, crease_neighbors};
@@ -44,6 +47,9 @@ pub enum Reach {
 pub trait Scheme {
     /// Whether even vertices move. If not, [`Scheme::even`] is never asked.
     fn moves_even(&self) -> bool;
+
+    /// Whether sharp edges and corners change its masks.
+    fn reads_tags(&self) -> bool;
 
     /// What the position of an odd vertex depends on.
     fn reach(&self) -> Reach;

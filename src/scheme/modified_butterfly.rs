@@ -41,6 +41,10 @@ impl Scheme for ModifiedButterfly {
         false
     }
 
+    fn reads_tags(&self) -> bool {
+        true
+    }
+
     #[inline]
     fn reach(&self) -> Reach {
         Reach::BothStars

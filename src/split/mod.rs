@@ -1,0 +1,12 @@
+//! The topology of refinement: what is split, in which order new vertices are numbered, and how cracks are closed.
+//!
+//! A step is [`plan`](quadrisect::plan) (reads only), then [`apply`](quadrisect::apply) (rewrites rings in place). It
+//! sees no coordinate; where a choice may depend on one, in faces with two split edges, the caller decides.
+//!
+//! **Deliberately not here**: positions, tags, weights.
+
+mod diagonal;
+mod hubs;
+pub(crate) mod quadrisect;
+
+pub use diagonal::{Diagonal, Quad};

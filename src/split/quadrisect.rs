@@ -1,0 +1,346 @@
+//! The 1-to-4 split of a region, in place, and the closing of its cracks.
+//!
+//! Every split edge gets a new vertex; a face with three split edges becomes four faces, one with fewer is closed: with
+//! one it is bisected, with two it becomes three faces. Whatever the mix, each split edge adds one face on each side.
+//!
+//! Existing vertices keep their ids and the start of their ring: the slot of a neighbour takes the new vertex between,
+//! and closing inserts directly after a neighbour. So equal surroundings have equal rings, from the same start on,
+//! however much was refined elsewhere.
+
+use super::Quad;
+use super::hubs::Slots;
+use crate::id::{Edge, VertexId};
+use crate::mesh::Neighborhood;
+use crate::rotation::{RingBuf, RotationSystem};
+use crate::scratch::Scratch;
+use crate::step::{History, Parent, Region, RegionKind};
+
+/// An edge that is split, with the slots at which each end stands in the ring of the other.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SplitEdge {
+    p: VertexId,
+    q: VertexId,
+    /// Where `q` stands in the ring of `p`.
+    slot_in_p: u32,
+    slot_in_q: u32,
+}
+
+impl SplitEdge {
+    /// The edge with its opposite corners, in the rings before the step.
+    #[inline]
+    pub(crate) fn parent(&self, around: Neighborhood<'_>) -> Parent {
+        let ring = around.ring(self.p);
+        let slot = self.slot_in_p as usize;
+        let corner = |slot: Option<usize>| slot.map(|slot| ring.neighbors()[slot]);
+        Parent { p: self.p, q: self.q, left: corner(ring.slot_after(slot)), right: corner(ring.slot_before(slot)) }
+    }
+
+    #[inline]
+    pub(crate) fn ends(&self) -> [VertexId; 2] {
+        [self.p, self.q]
+    }
+}
+
+/// What a step will do to the topology: the new vertices, numbered from `first` in the order of `edges`.
+#[derive(Debug)]
+pub(crate) struct Plan {
+    /// The number of vertices before the step.
+    pub(crate) first: usize,
+    /// In order of (smaller end, slot in its ring).
+    pub(crate) edges: Vec<SplitEdge>,
+    /// How many faces the step adds.
+    pub(crate) added_faces: usize,
+}
+
+impl Plan {
+    /// The new vertices with what they split.
+    pub(crate) fn odd(&self) -> impl ExactSizeIterator<Item = (VertexId, &SplitEdge)> {
+        self.edges.iter().enumerate().map(|(k, edge)| (VertexId::new(self.first + k), edge))
+    }
+}
+
+/// Reads what is to be split. O(edges at the vertices of the region).
+pub(crate) fn plan(rotation: &RotationSystem, history: &History, region: &Region, scratch: &mut Scratch) -> Plan {
+    let mut planner = Planner {
+        rotation,
+        history,
+        peers: 0..0,
+        slots: Slots::default(),
+        plan: Plan { first: rotation.vertex_count(), edges: Vec::new(), added_faces: 0 },
+    };
+    match region.kind() {
+        RegionKind::Everything => {
+            planner.plan.edges.reserve_exact(rotation.edge_count());
+            planner.split_between(rotation.vertices(), |_| true);
+        }
+        RegionKind::Induced(vertices) => {
+            let mut marks = scratch.marks(rotation.vertex_count(), 1);
+            for &v in vertices {
+                marks.set(v, 0);
+            }
+            planner.split_between(vertices.iter().copied(), |v| marks.is_set(v));
+        }
+        RegionKind::Edges(edges) => planner.split_listed(edges),
+    }
+    planner.plan
+}
+
+struct Planner<'a> {
+    rotation: &'a RotationSystem,
+    history: &'a History,
+    /// The vertices made in the same step as the one at hand.
+    peers: std::ops::Range<usize>,
+    slots: Slots,
+    plan: Plan,
+}
+
+impl Planner<'_> {
+    #[inline]
+    fn split_between(&mut self, vertices: impl Iterator<Item = VertexId>, inside: impl Fn(VertexId) -> bool) {
+        for v in vertices {
+            for (slot, &w) in self.rotation.neighbors(v).iter().enumerate() {
+                if v < w && inside(w) {
+                    self.split(v, slot);
+                }
+            }
+        }
+    }
+
+    fn split_listed(&mut self, edges: &[Edge]) {
+        let mut at: Vec<(VertexId, usize)> = Vec::with_capacity(edges.len());
+        for edge in edges {
+            let [a, b] = edge.ends();
+            at.push((a, self.slots.find(self.rotation, a, b)));
+        }
+        at.sort_unstable();
+        for (v, slot) in at {
+            self.split(v, slot);
+        }
+    }
+
+    /// Plans the edge from `v` to the greater neighbour at a slot.
+    #[inline]
+    fn split(&mut self, v: VertexId, slot: usize) {
+        let ring = self.rotation.ring(v);
+        let neighbors = ring.neighbors();
+        let w = neighbors[slot];
+        let corner = |slot: Option<usize>| slot.map(|slot| neighbors[slot]);
+        let (left, right) = (corner(ring.slot_after(slot)), corner(ring.slot_before(slot)));
+        let (slot, slot_in_w) = (slot as u32, self.slots.find(self.rotation, w, v) as u32);
+        self.plan.added_faces += usize::from(left.is_some()) + usize::from(right.is_some());
+        let edge = if self.runs_down(v, w, left, right) {
+            SplitEdge { p: w, q: v, slot_in_p: slot_in_w, slot_in_q: slot }
+        } else {
+            SplitEdge { p: v, q: w, slot_in_p: slot, slot_in_q: slot_in_w }
+        };
+        self.plan.edges.push(edge);
+    }
+
+    /// Whether the parent of the edge `v - w`, `v < w`, is read from `w` to `v`; the rule stands at [`Parent`].
+    ///
+    /// Ids grow from step to step, so the greater end can be the first only if both were made in the same step.
+    #[inline]
+    fn runs_down(&mut self, v: VertexId, w: VertexId, left: Option<VertexId>, right: Option<VertexId>) -> bool {
+        if !self.peers.contains(&v.index()) {
+            self.peers = self.history.peers(v);
+        }
+        if self.peers.start == 0 || w.index() >= self.peers.end {
+            return false;
+        }
+        let older = |corner: Option<VertexId>| corner.is_some_and(|corner| corner.index() < self.peers.start);
+        older(right) && !older(left)
+    }
+}
+
+/// What closing did.
+#[derive(Debug, Default)]
+pub(crate) struct Closing {
+    /// The edges drawn to close faces, in the order of the new vertices.
+    pub(crate) edges: Vec<Edge>,
+    /// New vertices with a triangle that was not split in four, ascending.
+    pub(crate) t_vertices: Vec<VertexId>,
+    /// Old vertices that got a neighbour more, ascending.
+    pub(crate) o_vertices: Vec<VertexId>,
+    /// The greatest valence of a vertex that is new or got a neighbour more.
+    pub(crate) max_valence: usize,
+}
+
+/// Splits as planned. O(split edges), and O(valence) for each old vertex that closing reaches.
+///
+/// `diagonal` answers from which of the two ends of a [`Quad`] its diagonal goes; it sees the valences before the step.
+pub(crate) fn apply(
+    rotation: &mut RotationSystem,
+    plan: &Plan,
+    diagonal: impl Fn(Quad, &RotationSystem) -> usize,
+) -> Closing {
+    for (x, edge) in plan.odd() {
+        rotation.set_neighbor(edge.p, edge.slot_in_p as usize, x);
+        rotation.set_neighbor(edge.q, edge.slot_in_q as usize, x);
+    }
+
+    rotation.reserve(plan.edges.len());
+    let mut closer = Closer { first: plan.first, diagonal, closing: Closing::default(), insertions: Vec::new() };
+    for (x, edge) in plan.odd() {
+        let ring = closer.ring(rotation, x, edge);
+        closer.closing.max_valence = closer.closing.max_valence.max(ring.as_ring().valence());
+        rotation.push_ring(ring);
+    }
+
+    // Only now, as the slots of the plan hold until here.
+    let Closer { mut closing, insertions, .. } = closer;
+    let mut slots = Slots::default();
+    let mut shifts: Vec<(VertexId, usize, VertexId)> =
+        insertions.into_iter().map(|(o, pred, x)| (o, slots.find(rotation, o, pred), x)).collect();
+    // From the back of each ring, so that slots in front stay what they were.
+    shifts.sort_unstable_by(|one, other| other.cmp(one));
+    for &(o, slot, x) in &shifts {
+        rotation.insert_after(o, slot, x);
+    }
+    closing.o_vertices = shifts.iter().rev().map(|&(o, ..)| o).collect();
+    closing.o_vertices.dedup();
+    let grown = closing.o_vertices.iter().map(|&o| rotation.valence(o)).max().unwrap_or(0);
+    closing.max_valence = closing.max_valence.max(grown);
+    closing
+}
+
+struct Closer<D> {
+    first: usize,
+    diagonal: D,
+    closing: Closing,
+    /// (vertex, neighbour after which, new neighbour)
+    insertions: Vec<(VertexId, VertexId, VertexId)>,
+}
+
+/// The ring of a new vertex while it is put together: at most two ends and two neighbours on each side.
+struct Entries {
+    list: [VertexId; 6],
+    len: usize,
+}
+
+impl Entries {
+    #[inline]
+    fn push(&mut self, v: VertexId) {
+        self.list[self.len] = v;
+        self.len += 1;
+    }
+}
+
+/// The neighbours of a new vertex that its ends show on one side: beside it in the ring of the end where the side starts,
+/// counter-clockwise, and in that of the end where it stops. `None` if there is no face.
+type Side = Option<[VertexId; 2]>;
+
+impl<D: Fn(Quad, &RotationSystem) -> usize> Closer<D> {
+    #[inline]
+    fn is_new(&self, v: VertexId) -> bool {
+        v.index() >= self.first
+    }
+
+    /// The ring of the new vertex `x`: from `p` counter-clockwise, or from the gap.
+    #[inline]
+    fn ring(&mut self, rotation: &RotationSystem, x: VertexId, edge: &SplitEdge) -> RingBuf {
+        let beside = |end: VertexId, slot: u32| {
+            let ring = rotation.ring(end);
+            let at = |slot: Option<usize>| slot.map(|slot| ring.neighbors()[slot]);
+            (at(ring.slot_before(slot as usize)), at(ring.slot_after(slot as usize)))
+        };
+        let (before_p, after_p) = beside(edge.p, edge.slot_in_p);
+        let (before_q, after_q) = beside(edge.q, edge.slot_in_q);
+        // Inside of the region nothing is to be closed, and there it must be fast.
+        if let (Some(right_p), Some(right_q), Some(left_q), Some(left_p)) = (before_p, after_q, before_q, after_p) {
+            let around = [right_p, right_q, left_q, left_p];
+            if around.into_iter().all(|v| self.is_new(v)) {
+                return RingBuf::regular([edge.p, right_p, right_q, edge.q, left_q, left_p]);
+            }
+        }
+        let right = before_p.zip(after_q).map(|(p, q)| [p, q]);
+        let left = before_q.zip(after_p).map(|(q, p)| [q, p]);
+        self.border_ring(rotation, x, edge, right, left)
+    }
+
+    /// The ring of a new vertex on a boundary, or with a face that is to be closed.
+    fn border_ring(
+        &mut self,
+        rotation: &RotationSystem,
+        x: VertexId,
+        edge: &SplitEdge,
+        right: Side,
+        left: Side,
+    ) -> RingBuf {
+        let mut entries = Entries { list: [VertexId::GAP; 6], len: 0 };
+        let mut whole = true;
+        if let Some(between) = right {
+            entries.push(edge.p);
+            whole &= self.side(rotation, x, [edge.p, edge.q], between, &mut entries);
+        }
+        entries.push(edge.q);
+        if let Some(between) = left {
+            whole &= self.side(rotation, x, [edge.q, edge.p], between, &mut entries);
+        }
+        if right.is_none() {
+            entries.push(edge.p);
+        }
+        if !whole {
+            self.closing.t_vertices.push(x);
+        }
+        let neighbors = &entries.list[..entries.len];
+        if right.is_some() && left.is_some() { RingBuf::closed(neighbors) } else { RingBuf::open(neighbors) }
+    }
+
+    /// One side of the new vertex `x`: its neighbours counter-clockwise between the end `a` and the end `b`, in the face
+    /// `b, a, c`. Answers whether the face becomes four.
+    fn side(
+        &mut self,
+        rotation: &RotationSystem,
+        x: VertexId,
+        [a, b]: [VertexId; 2],
+        [at_a, at_b]: [VertexId; 2],
+        entries: &mut Entries,
+    ) -> bool {
+        match (self.is_new(at_a), self.is_new(at_b)) {
+            (true, true) => {
+                entries.push(at_a);
+                entries.push(at_b);
+                return true;
+            }
+            // Both ends show the corner c itself.
+            (false, false) => {
+                entries.push(at_a);
+                self.insert(x, at_a, b);
+            }
+            // Also a - c is split: the corner a is cut off, c and b are the ends of the edge that stays.
+            (true, false) => {
+                let c = at_b;
+                entries.push(at_a);
+                self.cut(x, at_a);
+                if (self.diagonal)(Quad { ends: [c, b], odd: [at_a, x] }, rotation) == 0 {
+                    entries.push(c);
+                    self.insert(x, c, b);
+                }
+            }
+            // Also b - c is split: the corner b is cut off.
+            (false, true) => {
+                let c = at_a;
+                self.cut(x, at_b);
+                if (self.diagonal)(Quad { ends: [a, c], odd: [x, at_b] }, rotation) == 1 {
+                    entries.push(c);
+                    self.insert(x, c, at_b);
+                }
+                entries.push(at_b);
+            }
+        }
+        false
+    }
+
+    /// Draws the edge from `x` to the opposite corner `c`, in whose ring `x` comes directly after `pred`.
+    fn insert(&mut self, x: VertexId, c: VertexId, pred: VertexId) {
+        self.insertions.push((c, pred, x));
+        self.closing.edges.push(Edge::new(c, x));
+    }
+
+    /// Draws the edge that cuts off a corner; both its ends come here, one of them counts.
+    fn cut(&mut self, x: VertexId, other: VertexId) {
+        if x < other {
+            self.closing.edges.push(Edge::new(x, other));
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! What is remembered from step to step.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use super::Exactness;
+use crate::error::RefineError;
+use crate::id::{Edge, Triangle, VertexId};
+use crate::mesh::Mesh;
+
+/// What a [`History`] keeps beyond the bare minimum.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Keep {
+    /// Birth levels and parents of vertices, and the edges that close cracks: 9 bytes a new vertex.
+    pub names: bool,
+    /// What is proven equal to uniform refinement, and what spoils the rest: 20 bytes a vertex.
+    pub certificate: bool,
+}
+
+/// What a run of refinements remembers beside the mesh; held by the caller, who makes one for a mesh and hands both to
+/// every step. Two calls of one step are then the same as one call of two.
+///
+/// Without anything kept it is a few bytes a step.
+#[derive(Clone, Debug)]
+pub struct History {
+    /// How many vertices there were before each step; the first entry counts the input vertices.
+    starts: Vec<usize>,
+    max_valence: usize,
+    names: Option<Names>,
+    exactness: Option<Exactness>,
+}
+
+/// For every vertex that is no input vertex, in order.
+#[derive(Clone, Debug, Default)]
+struct Names {
+    levels: Vec<u8>,
+    parents: Vec<[VertexId; 2]>,
+    /// Edges drawn to close cracks. One that was split since is no edge any more and never becomes one again.
+    closing: Vec<Edge>,
+}
+
+impl History {
+    /// The history of a mesh that was not refined yet. O(vertices).
+    #[must_use]
+    pub fn new(mesh: &Mesh, keep: Keep) -> Self {
+        Self {
+            starts: vec![mesh.vertex_count()],
+            max_valence: mesh.vertices().map(|v| mesh.ring(v).valence()).max().unwrap_or(0),
+            names: keep.names.then(Names::default),
+            exactness: keep.certificate.then(|| Exactness::new(mesh.vertex_count())),
+        }
+    }
+
+    /// How many steps were made.
+    #[must_use]
+    pub fn step_count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// How many vertices the mesh had before the first step.
+    #[must_use]
+    pub fn input_count(&self) -> usize {
+        self.starts[0]
+    }
+
+    /// The greatest valence of the mesh. O(1).
+    #[must_use]
+    pub fn max_valence(&self) -> usize {
+        self.max_valence
+    }
+
+    /// The vertices made in the same step as this one; for an input vertex all input vertices. O(log steps).
+    pub(crate) fn peers(&self, v: VertexId) -> Range<usize> {
+        let step = self.starts.partition_point(|&start| start <= v.index());
+        let first = if step == 0 { 0 } else { self.starts[step - 1] };
+        first..self.starts.get(step).copied().unwrap_or(usize::MAX)
+    }
+
+    /// Whether names are kept.
+    #[must_use]
+    pub fn has_names(&self) -> bool {
+        self.names.is_some()
+    }
+
+    /// The level at which a vertex was made: 0 for an input vertex, else one more than the greater level of its parents.
+    /// `None` if names are not kept.
+    #[must_use]
+    pub fn level(&self, v: VertexId) -> Option<u8> {
+        let names = self.names.as_ref()?;
+        Some(match v.index().checked_sub(self.starts[0]) {
+            None => 0,
+            Some(k) => names.levels[k],
+        })
+    }
+
+    /// The ends of the edge that a vertex was made on, the older first (as in [`Parent`](super::Parent)). `None` for an input vertex,
+    /// and if names are not kept.
+    #[must_use]
+    pub fn parents(&self, v: VertexId) -> Option<[VertexId; 2]> {
+        let k = v.index().checked_sub(self.starts[0])?;
+        self.names.as_ref().map(|names| names.parents[k])
+    }
+
+    /// The level of a triangle, and whether it closes a crack; `None` if names are not kept.
+    ///
+    /// A regular triangle has the greatest level of its corners. One that closes a crack keeps the level of the triangle
+    /// it is a part of. `closing` is [`History::closing_edges`].
+    #[must_use]
+    pub fn face_level(&self, triangle: Triangle, closing: &[Edge]) -> Option<(u8, bool)> {
+        let [a, b, c] = triangle.corners();
+        let finest = self.level(a)?.max(self.level(b)?).max(self.level(c)?);
+        let closes = [(a, b), (b, c), (c, a)].iter().any(|&(p, q)| closing.binary_search(&Edge::new(p, q)).is_ok());
+        Some((finest - u8::from(closes && finest > 0), closes))
+    }
+
+    /// The edges of the mesh that were drawn to close cracks, ascending; `None` if names are not kept. O(n log n) in the
+    /// number of those ever drawn.
+    #[must_use]
+    pub fn closing_edges(&self, mesh: &Mesh) -> Option<Vec<Edge>> {
+        let names = self.names.as_ref()?;
+        let still = |edge: &Edge| {
+            let [a, b] = edge.ends();
+            mesh.rotation().has_edge(a, b)
+        };
+        let mut closing: Vec<Edge> = names.closing.iter().copied().filter(still).collect();
+        closing.sort_unstable();
+        Some(closing)
+    }
+
+    /// For every vertex of this run the vertex of another run from the same input that has the same name: the same input
+    /// vertex, or made between vertices of the same names. `None` if names are not kept in both.
+    ///
+    /// Ids differ between runs that refine different regions; names do not. O(vertices of both).
+    #[must_use]
+    pub fn same_names(&self, other: &Self) -> Option<Vec<Option<VertexId>>> {
+        let (names, others) = (self.names.as_ref()?, other.names.as_ref()?);
+        let made: HashMap<Edge, VertexId> = others
+            .parents
+            .iter()
+            .enumerate()
+            .map(|(k, &[p, q])| (Edge::new(p, q), VertexId::new(other.starts[0] + k)))
+            .collect();
+        let inputs = self.starts[0];
+        let mut same: Vec<Option<VertexId>> =
+            (0..inputs).map(|k| (k < other.starts[0]).then(|| VertexId::new(k))).collect();
+        for &[p, q] in &names.parents {
+            let edge = same[p.index()].zip(same[q.index()]).map(|(p, q)| Edge::new(p, q));
+            same.push(edge.and_then(|edge| made.get(&edge).copied()));
+        }
+        Some(same)
+    }
+
+    pub(crate) fn exactness(&self) -> Option<&Exactness> {
+        self.exactness.as_ref()
+    }
+
+    pub(crate) fn exactness_mut(&mut self) -> Option<&mut Exactness> {
+        self.exactness.as_mut()
+    }
+
+    /// The level of the vertex that splits this edge.
+    pub(crate) fn child_level(&self, [p, q]: [VertexId; 2]) -> Result<u8, RefineError> {
+        let level = |v| self.level(v).unwrap_or(0);
+        level(p).max(level(q)).checked_add(1).ok_or(RefineError::TooDeep)
+    }
+
+    /// Closes a step: what it made, the edges it drew to close cracks, and the greatest valence it touched.
+    pub(crate) fn record(
+        &mut self,
+        vertex_count: usize,
+        made: impl Iterator<Item = (u8, [VertexId; 2])>,
+        closing: &[Edge],
+        max_valence: usize,
+    ) {
+        self.starts.push(vertex_count);
+        self.max_valence = self.max_valence.max(max_valence);
+        if let Some(names) = &mut self.names {
+            for (level, parents) in made {
+                names.levels.push(level);
+                names.parents.push(parents);
+            }
+            names.closing.extend_from_slice(closing);
+        }
+    }
+
+    /// Bytes held.
+    #[must_use]
+    pub fn memory_bytes(&self) -> usize {
+        let names = self.names.as_ref().map_or(0, |names| {
+            names.levels.capacity()
+                + names.parents.capacity() * size_of::<[VertexId; 2]>()
+                + names.closing.capacity() * size_of::<Edge>()
+        });
+        names + self.exactness.as_ref().map_or(0, Exactness::memory_bytes)
+    }
+}
