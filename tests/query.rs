@@ -1,5 +1,7 @@
 //! Measures against closed forms and Gauss-Bonnet; disks against petgraph's breadth-first search.
 
+#![allow(clippy::unwrap_used, reason = "a test that panics has failed")]
+
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
@@ -135,7 +137,7 @@ fn normals_of_a_fine_torus_are_nearly_those_of_the_surface() {
 /// Distances from the nearest seed by petgraph, on a copy of the graph with one more node that is joined to the seeds.
 fn distances(rotation: &RotationSystem, seeds: &[VertexId]) -> HashMap<VertexId, usize> {
     let mut graph = UnGraph::<(), ()>::with_capacity(rotation.vertex_count() + 1, rotation.edge_count());
-    rotation.vertices().for_each(|_| drop(graph.add_node(())));
+    rotation.vertices().for_each(|_| _ = graph.add_node(()));
     for edge in rotation.edges() {
         let [a, b] = edge.ends().map(|v| NodeIndex::new(v.index()));
         graph.add_edge(a, b, ());
