@@ -4,6 +4,7 @@ pub mod adaptive;
 pub mod certify;
 pub mod check;
 pub mod error;
+pub mod graph;
 pub mod id;
 pub mod mesh;
 pub mod query;
