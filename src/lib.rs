@@ -1,6 +1,7 @@
 //! Adaptive subdivision of triangle meshes on a graph rotation system.
 
 pub mod adaptive;
+pub mod angle;
 pub mod certify;
 pub mod check;
 pub mod error;
@@ -21,6 +22,7 @@ pub mod subdivide;
 pub use glam;
 pub use petgraph;
 
+pub use angle::Angle;
 pub use id::{DirectedEdge, Edge, Triangle, VertexId};
 pub use mesh::Mesh;
 pub use rotation::{Ring, RotationSystem};

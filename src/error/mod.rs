@@ -8,12 +8,14 @@ mod build;
 mod edit;
 mod read;
 mod refine;
+mod select;
 mod write;
 
 pub use build::{BuildError, Defect, DefectKind};
 pub use edit::{EditError, RingDefect};
 pub use read::{ReadError, ReadErrorKind};
 pub use refine::{ConfigError, RefineError};
+pub use select::{ExpressionError, ExpressionErrorKind, SelectError};
 pub use write::WriteError;
 
 use std::fmt;
@@ -30,6 +32,10 @@ pub enum Error {
     Edit(EditError),
     /// Parameters do not make sense.
     Config(ConfigError),
+    /// A selection given as text has no meaning.
+    Expression(ExpressionError),
+    /// A criterion could not be applied to a mesh.
+    Select(SelectError),
     /// A refinement step was not made.
     Refine(RefineError),
     /// A file could not be written.
@@ -58,4 +64,13 @@ macro_rules! stages {
     };
 }
 
-stages!(Read: ReadError, Build: BuildError, Edit: EditError, Config: ConfigError, Refine: RefineError, Write: WriteError);
+stages!(
+    Read: ReadError,
+    Build: BuildError,
+    Edit: EditError,
+    Config: ConfigError,
+    Expression: ExpressionError,
+    Select: SelectError,
+    Refine: RefineError,
+    Write: WriteError
+);

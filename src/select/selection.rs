@@ -48,13 +48,18 @@ impl Selection {
     /// What is in one of the two. O(n).
     #[must_use]
     pub fn union(&self, other: &Self) -> Self {
-        self.vertices.iter().chain(&other.vertices).copied().collect()
+        let mut vertices = [self.vertices.as_slice(), &other.vertices].concat();
+        // The stable sort finds the two runs and merges them.
+        vertices.sort();
+        vertices.dedup();
+        Self { vertices }
     }
 
-    /// What is in both. O(n log n).
+    /// What is in both. O(n log m) with n vertices in the smaller set and m in the other.
     #[must_use]
     pub fn intersection(&self, other: &Self) -> Self {
-        Self { vertices: self.vertices.iter().copied().filter(|&v| other.contains(v)).collect() }
+        let (small, large) = if self.len() <= other.len() { (self, other) } else { (other, self) };
+        Self { vertices: small.vertices.iter().copied().filter(|&v| large.contains(v)).collect() }
     }
 
     /// What a mesh with this many vertices has outside of the set. O(vertices).

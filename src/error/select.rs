@@ -1,0 +1,121 @@
+//! A selection could not be read or made.
+
+use std::fmt;
+use std::io;
+use std::path::PathBuf;
+
+use super::ConfigError;
+use crate::id::VertexId;
+
+/// A criterion could not be applied to a mesh.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum SelectError {
+    /// A criterion names a vertex that the mesh has not.
+    NoVertex {
+        /// The vertex that was named.
+        vertex: VertexId,
+        /// How many vertices the mesh has.
+        vertex_count: usize,
+    },
+}
+
+impl fmt::Display for SelectError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoVertex { vertex, vertex_count: 0 } => {
+                write!(f, "there is no vertex {}: the mesh has no vertices", vertex.index())
+            }
+            Self::NoVertex { vertex, vertex_count: 1 } => {
+                write!(f, "there is no vertex {}: the mesh has 1 vertex, id 0", vertex.index())
+            }
+            Self::NoVertex { vertex, vertex_count } => {
+                let (vertex, last) = (vertex.index(), vertex_count - 1);
+                write!(f, "there is no vertex {vertex}: the mesh has {vertex_count} vertices, ids 0 to {last}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for SelectError {}
+
+/// What is wrong with a selection that is given as text.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum ExpressionErrorKind {
+    /// Something else should stand here.
+    Expected {
+        /// What should.
+        expected: String,
+        /// What does.
+        found: String,
+    },
+    /// There is no criterion of this name.
+    UnknownCriterion {
+        /// The name.
+        name: String,
+        /// How the known criteria are written.
+        known: Vec<&'static str>,
+    },
+    /// An argument is not what its criterion takes.
+    Value(ConfigError),
+    /// More parentheses and `!` stand inside each other than allowed.
+    TooDeep {
+        /// How many are allowed.
+        allowed: usize,
+    },
+    /// A file of ids could not be read.
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the reader said.
+        cause: io::Error,
+    },
+    /// A file of ids holds something else.
+    FileLine {
+        /// The file.
+        path: PathBuf,
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong with it.
+        error: ConfigError,
+    },
+}
+
+/// A selection given as text has no meaning, and the place at which that was found.
+#[derive(Debug)]
+pub struct ExpressionError {
+    /// The place in the text, in characters, from 1.
+    pub column: usize,
+    /// What is wrong there.
+    pub kind: ExpressionErrorKind,
+}
+
+impl fmt::Display for ExpressionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "column {}: ", self.column)?;
+        match &self.kind {
+            ExpressionErrorKind::Expected { expected, found } => write!(f, "expected {expected}, found {found}"),
+            ExpressionErrorKind::UnknownCriterion { name, known } => {
+                write!(f, "there is no criterion `{name}`; known are `{}`", known.join("`, `"))
+            }
+            ExpressionErrorKind::Value(error) => error.fmt(f),
+            ExpressionErrorKind::TooDeep { allowed } => {
+                write!(f, "at most {allowed} parentheses and `!` may stand inside each other; write fewer")
+            }
+            ExpressionErrorKind::File { path, cause } => write!(f, "{} could not be read: {cause}", path.display()),
+            ExpressionErrorKind::FileLine { path, line, error } => {
+                write!(f, "{}, line {line}: {error}", path.display())
+            }
+        }
+    }
+}
+
+impl std::error::Error for ExpressionError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match &self.kind {
+            ExpressionErrorKind::File { cause, .. } => Some(cause),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! What stands after the name of a criterion: fields separated by commas, or a file.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::error::{ConfigError, ExpressionError, ExpressionErrorKind};
+use crate::id::VertexId;
+
+/// Who answers with the text of a file.
+pub(super) type ReadFile<'r> = &'r mut dyn FnMut(&Path) -> io::Result<String>;
+
+/// The whole text, which knows the column of a place in it.
+#[derive(Clone, Copy)]
+pub(super) struct Text<'t>(pub(super) &'t str);
+
+impl Text<'_> {
+    /// The column of a byte: characters from 1.
+    pub(super) fn column(self, at: usize) -> usize {
+        self.0[..at].chars().count() + 1
+    }
+
+    /// The first byte from this one on that is no blank.
+    pub(super) fn after_blanks(self, at: usize) -> usize {
+        self.0.len() - self.0[at..].trim_start().len()
+    }
+
+    /// An error at a byte.
+    pub(super) fn error(self, at: usize, kind: ExpressionErrorKind) -> ExpressionError {
+        ExpressionError { column: self.column(at), kind }
+    }
+
+    /// The error that something else should stand at a byte, or behind the blanks there.
+    pub(super) fn expected(self, at: usize, expected: impl Into<String>) -> ExpressionError {
+        let at = self.after_blanks(at);
+        self.error(at, ExpressionErrorKind::Expected { expected: expected.into(), found: self.found(at) })
+    }
+
+    /// What stands at a byte, for a message: one sign, or a word up to the next sign or blank.
+    fn found(self, at: usize) -> String {
+        let rest = &self.0[at..];
+        let Some(first) = rest.chars().next() else { return "the end".to_owned() };
+        let ends = |c: char| is_sign(c) || c.is_whitespace();
+        let word = if ends(first) { &rest[..first.len_utf8()] } else { rest.split(ends).next().unwrap_or(rest) };
+        format!("`{}`", excerpt(word))
+    }
+}
+
+/// Whether a character has a meaning of its own outside of file names.
+pub(super) fn is_sign(c: char) -> bool {
+    matches!(c, '|' | '&' | '!' | '(' | ')' | ':' | ',')
+}
+
+/// The start of a text, fit to be printed.
+pub(super) fn excerpt(text: &str) -> String {
+    const LENGTH: usize = 40;
+    let mut start: String =
+        text.chars().take(LENGTH).map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect();
+    if text.chars().nth(LENGTH).is_some() {
+        start.push_str("...");
+    }
+    start
+}
+
+/// What stands between the `:` of a criterion and the end of its arguments.
+pub(super) struct Argument<'t> {
+    pub(super) whole: Text<'t>,
+    /// Where `text` stands in the whole.
+    pub(super) at: usize,
+    /// The fields, or the name of the file; without blanks around it.
+    pub(super) text: &'t str,
+    /// Whether it is the name of a file.
+    pub(super) is_file: bool,
+    /// How the criterion is written.
+    pub(super) form: &'static str,
+}
+
+impl<'t> Argument<'t> {
+    /// Whether nothing stands there.
+    pub(super) fn is_empty(&self) -> bool {
+        self.text.is_empty()
+    }
+
+    /// The fields, at least one.
+    pub(super) fn fields(&self) -> impl Iterator<Item = Field<'t>> {
+        let (whole, form) = (self.whole, self.form);
+        let mut next = self.at;
+        self.text.split(',').map(move |text| {
+            let at = next + (text.len() - text.trim_start().len());
+            next += text.len() + 1;
+            Field { whole, at, text: text.trim(), form }
+        })
+    }
+
+    /// The fields, if there are so many.
+    pub(super) fn exactly<const N: usize>(&self) -> Result<[Field<'t>; N], ExpressionError> {
+        if self.is_file {
+            return Err(self.wrong_count(N, "a file".to_owned()));
+        }
+        if self.is_empty() {
+            return Err(self.wrong_count(N, "none".to_owned()));
+        }
+        // One more than wanted is enough to refuse.
+        let fields: Vec<Field<'t>> = self.fields().take(N + 1).collect();
+        fields.try_into().map_err(|_| self.wrong_count(N, self.fields().count().to_string()))
+    }
+
+    fn wrong_count(&self, wanted: usize, found: String) -> ExpressionError {
+        let plural = if wanted == 1 { "" } else { "s" };
+        let expected = format!("{wanted} argument{plural} as in `{}`", self.form);
+        self.whole.error(self.at, ExpressionErrorKind::Expected { expected, found })
+    }
+
+    /// The ids in the file, if the argument is one.
+    pub(super) fn file_ids(&self, read: ReadFile<'_>) -> Result<Option<Vec<VertexId>>, ExpressionError> {
+        if !self.is_file {
+            return Ok(None);
+        }
+        let path = PathBuf::from(self.text);
+        let text = match read(&path) {
+            Ok(text) => text,
+            Err(cause) => return Err(self.whole.error(self.at, ExpressionErrorKind::File { path, cause })),
+        };
+        let mut ids = Vec::new();
+        // Some editors start a file with a byte order mark.
+        for (k, line) in text.strip_prefix('\u{feff}').unwrap_or(&text).lines().enumerate() {
+            let listed = line.split('#').next().unwrap_or_default();
+            for id in listed.split(|c: char| c == ',' || c.is_whitespace()).filter(|id| !id.is_empty()) {
+                match vertex(id, "vertex") {
+                    Ok(v) => ids.push(v),
+                    Err(error) => {
+                        let kind = ExpressionErrorKind::FileLine { path, line: k + 1, error };
+                        return Err(self.whole.error(self.at, kind));
+                    }
+                }
+            }
+        }
+        Ok(Some(ids))
+    }
+}
+
+/// One of several arguments.
+pub(super) struct Field<'t> {
+    whole: Text<'t>,
+    at: usize,
+    text: &'t str,
+    form: &'static str,
+}
+
+impl Field<'_> {
+    /// The id of a vertex.
+    pub(super) fn vertex(&self, name: &'static str) -> Result<VertexId, ExpressionError> {
+        self.read(name, |text| vertex(text, name))
+    }
+
+    /// A number of things.
+    pub(super) fn count(&self, name: &'static str) -> Result<usize, ExpressionError> {
+        self.read(name, |text| {
+            count(text)
+                .ok_or_else(|| value_error(text, name, format!("expected a whole number from 0 to {}", usize::MAX)))
+        })
+    }
+
+    /// A finite number.
+    pub(super) fn number(&self, name: &'static str) -> Result<f64, ExpressionError> {
+        self.read(name, |text| match text.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            _ => Err(value_error(text, name, "expected a finite number".to_owned())),
+        })
+    }
+
+    /// The error that the criterion refused this value.
+    pub(super) fn refused(&self, error: ConfigError) -> ExpressionError {
+        self.whole.error(self.at, ExpressionErrorKind::Value(error))
+    }
+
+    fn read<T>(&self, name: &str, parse: impl FnOnce(&str) -> Result<T, ConfigError>) -> Result<T, ExpressionError> {
+        if self.text.is_empty() {
+            return Err(self.whole.expected(self.at, format!("{name} as in `{}`", self.form)));
+        }
+        parse(self.text).map_err(|error| self.refused(error))
+    }
+}
+
+fn vertex(text: &str, name: &'static str) -> Result<VertexId, ConfigError> {
+    count(text).and_then(VertexId::try_new).ok_or_else(|| {
+        value_error(
+            text,
+            name,
+            format!("expected the id of a vertex, a whole number from 0 to {}", VertexId::MAX_INDEX),
+        )
+    })
+}
+
+/// A number of digits alone; the standard parser takes a sign too.
+fn count(text: &str) -> Option<usize> {
+    text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse().ok()).flatten()
+}
+
+fn value_error(text: &str, name: &'static str, expected: String) -> ConfigError {
+    ConfigError { name, value: excerpt(text), expected }
+}
