@@ -1,5 +1,7 @@
 //! Limits against a subdivision that knows nothing of this crate: triangles by index, refined again and again.
 
+#![allow(clippy::unwrap_used, reason = "helpers of a test may fail it")]
+
 mod scheme_support;
 
 use std::collections::BTreeMap;

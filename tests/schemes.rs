@@ -1,5 +1,7 @@
 //! What masks must do, whatever the mesh.
 
+#![allow(clippy::unwrap_used, reason = "helpers of a test may fail it")]
+
 mod scheme_support;
 
 use quickcheck::quickcheck;

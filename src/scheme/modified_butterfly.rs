@@ -98,8 +98,11 @@ impl<'a> End<'a> {
     fn new(around: Neighborhood<'a>, v: VertexId, other: VertexId) -> Self {
         let ring = around.ring(v);
         let slot = ring.slot_of(other).expect("the ends of an edge are neighbours");
+        if let VertexClass::Smooth | VertexClass::Dart = around.class(v) {
+            return End::Interior(InteriorEnd { v, ring, slot });
+        }
         let within = |sector: Sector<'a>| sector.inner_number(slot).map(|number| (sector, number));
-        // The one sector of a dart is its whole ring.
+        // A tagged corner with one sharp edge has one sector, its whole ring.
         let mut sectors = around.sectors(v).filter(|sector| sector.face_count() < ring.valence());
         match sectors.find_map(within) {
             Some((sector, number)) => End::Crease(CreaseEnd { v, sector, number }),
