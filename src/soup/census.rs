@@ -28,8 +28,8 @@ pub struct Census {
     pub triangles: usize,
     /// Components of the used vertices, those of one face being connected.
     pub components: usize,
-    /// Boundary loops: chains of boundary edges, linked at a vertex if one fan of faces lies between them. Loops that
-    /// touch in a bow-tie vertex are counted apart.
+    /// Boundary loops: chains of boundary edges. At a vertex of several fans they are followed as if each fan had a
+    /// vertex of its own.
     pub boundary_loops: usize,
     /// Used vertices - edges + faces.
     pub euler_characteristic: i64,

@@ -195,7 +195,7 @@ impl Fans {
 
     /// The number of boundary loops: chains of edges with one face, linked where they end in the same fan.
     ///
-    /// Where loops touch in a vertex of several fans they stay apart.
+    /// This is their number after giving each fan a vertex of its own.
     pub(crate) fn boundary_loop_count(mut self, table: &EdgeTable<'_>) -> usize {
         let corners: Vec<[u32; 2]> =
             table.edges().filter(|edge| edge.is_boundary()).flat_map(TableEdge::corners).collect();
