@@ -7,6 +7,7 @@ pub mod check;
 pub mod error;
 pub mod graph;
 pub mod id;
+pub mod io;
 pub mod limit;
 pub mod mesh;
 pub mod query;

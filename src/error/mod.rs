@@ -16,7 +16,7 @@ pub use edit::{EditError, RingDefect};
 pub use read::{ReadError, ReadErrorKind};
 pub use refine::{ConfigError, RefineError};
 pub use select::{ExpressionError, ExpressionErrorKind, SelectError};
-pub use write::WriteError;
+pub use write::{WriteError, WriteErrorKind};
 
 use std::fmt;
 

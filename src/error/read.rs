@@ -1,6 +1,7 @@
 //! A file could not be read.
 
 use std::fmt;
+use std::path::PathBuf;
 
 /// Why a file could not be read.
 #[derive(Debug)]
@@ -8,23 +9,120 @@ use std::fmt;
 pub enum ReadErrorKind {
     /// The file system said no.
     Io(std::io::Error),
+    /// Neither the ending of the name nor the content tells the format.
+    UnknownFormat,
+    /// The format is known and not read: its name.
+    Unsupported(&'static str),
+    /// Nothing stands in the file, or nothing but comments and blanks.
+    Empty,
+    /// There is no vertex in it.
+    NoVertex,
+    /// The file ends in the middle: what should have come next.
+    UnexpectedEnd(String),
+    /// Values stand after what the header announced: the first of them.
+    Trailing(String),
+    /// A number was expected: what stands there.
+    NotANumber(String),
+    /// A whole number was expected: what stands there.
+    NotAnInteger(String),
+    /// A statement has too few or too many numbers.
+    NumberCount {
+        /// What the numbers are.
+        of: &'static str,
+        /// How many there should be.
+        expected: &'static str,
+        /// How many there are.
+        found: usize,
+    },
+    /// An index is 0 where they count from 1.
+    IndexZero {
+        /// What it points to.
+        of: &'static str,
+    },
+    /// An index points to nothing.
+    IndexOutOfRange {
+        /// What it points to.
+        of: &'static str,
+        /// The index as it stands in the file.
+        index: i64,
+        /// How many there are to point to.
+        count: usize,
+    },
+    /// A face has fewer than three corners.
+    TooFewCorners(usize),
+    /// More of this than 32-bit ids can name.
+    TooMany(&'static str),
 }
 
-/// A file could not be read, and the line at which that was found.
+/// A file could not be read: which one, and the line at which that was found.
 #[derive(Debug)]
 pub struct ReadError {
+    /// The file, if the bytes came from one.
+    pub path: Option<PathBuf>,
     /// The line, from 1, if one is to blame.
     pub line: Option<usize>,
     /// What is wrong with it.
     pub kind: ReadErrorKind,
 }
 
+impl ReadError {
+    /// An error of a whole file.
+    pub(crate) fn whole(kind: ReadErrorKind) -> Self {
+        Self { path: None, line: None, kind }
+    }
+
+    /// An error at a line.
+    pub(crate) fn at(line: usize, kind: ReadErrorKind) -> Self {
+        Self { path: None, line: Some(line), kind }
+    }
+}
+
 impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.kind {
-            ReadErrorKind::Io(error) => write!(f, "{error}"),
+        if let Some(path) = &self.path {
+            write!(f, "{}: ", path.display())?;
+        }
+        if let Some(line) = self.line {
+            write!(f, "line {line}: ")?;
+        }
+        write!(f, "{}", self.kind)
+    }
+}
+
+impl fmt::Display for ReadErrorKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Io(error) => write!(f, "{error}"),
+            Self::UnknownFormat => {
+                write!(f, "neither the ending nor the content tells the format; OBJ (.obj) and OFF (.off) are read")
+            }
+            Self::Unsupported(format) => {
+                write!(f, "this is {format}, which is not read; convert it to plain-text OBJ or OFF")
+            }
+            Self::Empty => write!(f, "the file is empty; expected a mesh in OBJ or OFF"),
+            Self::NoVertex => write!(f, "there is no vertex in the file; expected lines 'v x y z'"),
+            Self::UnexpectedEnd(expected) => write!(f, "unexpected end of the file, expected {expected}"),
+            Self::Trailing(found) => {
+                write!(f, "'{found}' stands after the last face; the counts in the header do not fit the file")
+            }
+            Self::NotANumber(found) => write!(f, "expected a number, found '{found}'"),
+            Self::NotAnInteger(found) => write!(f, "expected a whole number, found '{found}'"),
+            Self::NumberCount { of, expected, found } => write!(f, "{of} has {expected} numbers, found {found}"),
+            Self::IndexZero { of } => write!(f, "index 0 of a {of} is out of range; indices count from 1"),
+            Self::IndexOutOfRange { of, index, count } => {
+                write!(f, "index {index} of a {of} is out of range; there are {count}")
+            }
+            Self::TooFewCorners(found) => write!(f, "a face has at least 3 corners, found {found}"),
+            Self::TooMany(what) => write!(f, "more {what} than 32-bit ids can name; split the file"),
         }
     }
 }
 
-impl std::error::Error for ReadError {}
+impl std::error::Error for ReadError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match &self.kind {
+            ReadErrorKind::Io(error) => Some(error),
+            _ => None,
+        }
+    }
+}

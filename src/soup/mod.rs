@@ -10,11 +10,13 @@ mod defects;
 mod disjoint;
 mod sieve;
 mod table;
+mod triangulate;
 
 pub use census::{Census, Valences};
 pub(crate) use defects::{bow_ties, enumerated, non_finite, non_manifold_edges, orientation, too_many_vertices};
 pub(crate) use sieve::Sieve;
 pub(crate) use table::{EdgeTable, Fans, TableEdge};
+pub use triangulate::Triangulation;
 
 use std::ops::Range;
 
