@@ -149,14 +149,14 @@ fn lines_are_read_however_they_are_written() {
     for text in [
         "\u{feff}v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nf 1 2 3 4",
         "v 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rf 1 2 3 4\r",
-        "# C:\\\n\tv\t0 0\t0 # first\n  v +1.0 0. .0\n#x\nv 1e0 1 0 \t\nv 0 1 0#\n".replace("0#", "0 #").as_str(),
+        "# C:\\\n\tv\t0 0\t0 # first\n  v +1.0 0. .0\n#x\nv 1e0 1 0 \t\nv 0 1 0 #\nf 1 2 3 4 # last",
         "v 0 \\\n 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 \\  \r\n 2 3\\\n4 # end\n",
         "v 0 0 0\nv 1 0 0\nf -2 -1 +3 4\nv 1 1 0\nv 0 1 0",
         "v 0 0 0 1\nv 1 0 0 2\nv 1 1 0\nv 0 1 0 0 0 0\nf 1 2 3 4\\",
     ] {
         let list = read(text).faces;
         assert_eq!(bits(&list), bits(&plain), "{text}");
-        assert!(list.face_count() == 0 && text.starts_with('#') || faces(&list) == [[0, 1, 2, 3]], "{text}");
+        assert_eq!(faces(&list), [[0, 1, 2, 3]], "{text}");
     }
 }
 
@@ -197,19 +197,18 @@ fn what_is_ignored_is_told() {
 fn errors_name_the_line_and_what_stands_there() {
     let v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (more, line, message) in [
-        ("f 1 2 0", 4, "index 0 of a vertex is out of range; indices count from 1"),
-        ("f 1 2 -0", 4, "index 0 of a vertex is out of range; indices count from 1"),
-        ("\n# x\nf 1 2 4\n", 6, "index 4 of a vertex is out of range; there are 3"),
-        ("f 1 2 -4", 4, "index -4 of a vertex is out of range; there are 3"),
-        ("f 1 2 -9223372036854775809", 4, "index -9223372036854775807 of a vertex is out of range; there are 3"),
-        ("f 1 2 99999999999999999999", 4, "index 9223372036854775807 of a vertex is out of range; there are 3"),
-        ("f 1 2 4294967297", 4, "index 4294967297 of a vertex is out of range; there are 3"),
+        ("f 1 2 0", 4, "index out of range: vertex 0, indices count from 1"),
+        ("f 1 2 -0", 4, "index out of range: vertex 0, indices count from 1"),
+        ("\n# x\nf 1 2 4\n", 6, "index out of range: vertex 4, there are 3"),
+        ("f 1 2 -4", 4, "index out of range: vertex -4, there are 3"),
+        ("f 1 2 -9223372036854775809", 4, "index out of range: vertex -9223372036854775807, there are 3"),
+        ("f 1 2 99999999999999999999", 4, "index out of range: vertex 9223372036854775807, there are 3"),
+        ("f 1 2 4294967297", 4, "index out of range: vertex 4294967297, there are 3"),
         ("f 1 2 2.0", 4, "expected a whole number, found '2.0'"),
         ("f 1 2 x", 4, "expected a whole number, found 'x'"),
         ("f 1 2 /1", 4, "expected a whole number, found ''"),
-        ("f 1 2 3/1", 4, "index 1 of a texture coordinate is out of range; there are 0"),
-        ("f 1 2 3//-1", 4, "index -1 of a normal is out of range; there are 0"),
-        ("vn 0 0 1\nf 1 2 3/1/1/1", 5, "index 1 of a texture coordinate is out of range; there are 0"),
+        ("f 1 2 3/1", 4, "index out of range: texture coordinate 1, there are 0"),
+        ("f 1 2 3//-1", 4, "index out of range: normal -1, there are 0"),
         ("vt 0\nvn 0 0 1\nf 1 2 3/1/1/1", 6, "expected a whole number, found '3/1/1/1'"),
         ("f 1 2", 4, "a face has at least 3 corners, found 2"),
         ("f", 4, "a face has at least 3 corners, found 0"),

@@ -108,9 +108,9 @@ impl fmt::Display for ReadErrorKind {
             Self::NotANumber(found) => write!(f, "expected a number, found '{found}'"),
             Self::NotAnInteger(found) => write!(f, "expected a whole number, found '{found}'"),
             Self::NumberCount { of, expected, found } => write!(f, "{of} has {expected} numbers, found {found}"),
-            Self::IndexZero { of } => write!(f, "index 0 of a {of} is out of range; indices count from 1"),
+            Self::IndexZero { of } => write!(f, "index out of range: {of} 0, indices count from 1"),
             Self::IndexOutOfRange { of, index, count } => {
-                write!(f, "index {index} of a {of} is out of range; there are {count}")
+                write!(f, "index out of range: {of} {index}, there are {count}")
             }
             Self::TooFewCorners(found) => write!(f, "a face has at least 3 corners, found {found}"),
             Self::TooMany(what) => write!(f, "more {what} than 32-bit ids can name; split the file"),

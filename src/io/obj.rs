@@ -39,7 +39,7 @@ use crate::soup::FaceList;
 /// assert_eq!(loaded.faces.face(0), [0, 2, 3]);
 /// assert!(loaded.attributes.groups(0).eq(["left"]));
 /// let error = vvmesh::io::read_obj(b"v 0 0 0\nf 1 1 2\n").unwrap_err();
-/// assert_eq!(error.to_string(), "line 2: index 2 of a vertex is out of range; there are 1");
+/// assert_eq!(error.to_string(), "line 2: index out of range: vertex 2, there are 1");
 /// # Ok::<(), vvmesh::error::ReadError>(())
 /// ```
 pub fn read_obj(bytes: &[u8]) -> Result<Loaded, ReadError> {

@@ -1,5 +1,7 @@
 //! The tables that come with the mesh files.
 
+#![allow(dead_code, reason = "each test file uses a part of it")]
+
 use std::path::Path;
 
 /// A row of the tables in the README of the mesh files.
