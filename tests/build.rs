@@ -1,5 +1,7 @@
 //! Every defect of a face list is found, with its ids, and a mesh is built exactly if there is none.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests stop at what they do not expect")]
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use quickcheck::{QuickCheck, TestResult};
@@ -149,7 +151,7 @@ fn all_defects_are_told_at_once_in_order() {
 
 #[test]
 fn a_vertex_in_very_many_faces_takes_no_quadratic_time() {
-    let count = 300_000;
+    let count = 200_000;
     let fan: Vec<[u32; 3]> = (1..count).map(|k| [0, k, k + 1]).collect();
     assert!(Mesh::from_triangles(vec![DVec3::ZERO; count as usize + 1], &fan).is_ok());
     let book: Vec<[u32; 3]> = (2..count).map(|k| [0, 1, k]).collect();

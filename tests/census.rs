@@ -1,5 +1,7 @@
 //! Counts of face lists: against the tables of the mesh files, and what they mean where there is no manifold.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests stop at what they do not expect")]
+
 mod common;
 #[path = "common/plain.rs"]
 mod plain;

@@ -1,5 +1,7 @@
 //! The conformity checker on planted faults: exactly what was planted is found.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests stop at what they do not expect")]
+
 mod common;
 #[path = "common/plain.rs"]
 mod plain;
@@ -384,7 +386,7 @@ fn scaling_changes_nothing_however_large_or_small() {
 
 #[test]
 fn hard_input_takes_no_quadratic_time() {
-    let count = 200_000_u32;
+    let count = 60_002_u32;
     let apart: Vec<[u32; 3]> = (0..count / 3).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
     // All boundary vertices in one place.
     let one = FaceList::from_triangles(vec![DVec3::ONE; count as usize], &apart);
@@ -410,6 +412,55 @@ fn hard_input_takes_no_quadratic_time() {
     on_one[2] = DVec3::new(1e6, 0.0, 0.0);
     let on_one = conformity(&FaceList::from_triangles(on_one, &apart), None);
     assert!(on_one.findings.iter().any(|finding| finding.kind == TJunction && finding.vertices.len() == 66));
+}
+
+#[test]
+fn t_junctions_are_those_of_a_naive_search() {
+    /// All distances between points of a lattice of few points are far from the tolerance, or far below.
+    fn property(points: Vec<(u8, u8, u8)>, bytes: Vec<u8>) -> bool {
+        let place = |&(x, y, z): &(u8, u8, u8)| DVec3::new(f64::from(x % 5), f64::from(y % 5), f64::from(z % 2));
+        let positions: Vec<DVec3> = points.iter().map(place).collect();
+        let corners: Vec<u32> = bytes.iter().map(|&v| u32::from(v) % points.len().max(1) as u32).collect();
+        let faces =
+            if points.is_empty() { vec![] } else { corners.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect() };
+        let list = FaceList::from_triangles(positions.clone(), &faces);
+        let found = conformity(&list, Some(1e-3));
+        let set_aside: Vec<usize> = found
+            .findings
+            .iter()
+            .filter_map(|f| match f.kind {
+                DuplicateFace | DegenerateFace => f.faces.last().copied(),
+                _ => None,
+            })
+            .collect();
+        let mut uses: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+        for (_, &[a, b, c]) in faces.iter().enumerate().filter(|(k, _)| !set_aside.contains(k)) {
+            for (v, w) in [(a, b), (b, c), (c, a)] {
+                *uses.entry((v.min(w) as usize, v.max(w) as usize)).or_default() += 1;
+            }
+        }
+        let boundary: Vec<(usize, usize)> = uses.into_iter().filter(|one| one.1 == 1).map(|one| one.0).collect();
+        let hangs = |x: usize, a: usize, b: usize| {
+            let [x, a, b] = [x, a, b].map(|v| positions[v]);
+            let between = (x - a).dot(b - a) > 0.0 && (x - b).dot(a - b) > 0.0;
+            between && (x - a).cross(b - a).length_squared() == 0.0
+        };
+        let on = |&(a, b): &(usize, usize)| -> Vec<usize> {
+            let mut ends: Vec<usize> = boundary.iter().flat_map(|&(v, w)| [v, w]).filter(|&x| hangs(x, a, b)).collect();
+            ends.sort_unstable();
+            ends.dedup();
+            [vec![a, b], ends].concat()
+        };
+        let expected: Vec<Vec<usize>> = boundary.iter().map(on).filter(|all| all.len() > 2).collect();
+        let t_junctions = found.findings.iter().filter(|f| f.kind == TJunction);
+        let named = |f: &Finding| {
+            let mut all: Vec<usize> = f.vertices.iter().map(|v| v.index()).collect();
+            all[2..].sort_unstable();
+            all
+        };
+        t_junctions.map(named).eq(expected)
+    }
+    QuickCheck::new().tests(3_000).quickcheck(property as fn(Vec<(u8, u8, u8)>, Vec<u8>) -> bool);
 }
 
 #[test]

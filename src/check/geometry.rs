@@ -1,7 +1,5 @@
 //! T-junctions and cracks: where boundaries lie so close to each other that a gap between faces was not meant.
 
-use std::ops::Range;
-
 use glam::DVec3;
 use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree, SelectionFunction};
@@ -96,7 +94,7 @@ impl<'a> Boundary<'a> {
             if length_squared == 0.0 || !length_squared.is_finite() {
                 continue;
             }
-            let around = Around { a, b, tolerance: self.tolerance, slack: self.reach * 1e-12 };
+            let around = Around::new(a, b, self.tolerance, self.reach * 1e-12);
             let on_edge = tree.locate_with_selection_function(around).flat_map(|place| {
                 let (start, end) = place.data;
                 &by_place[start as usize..end as usize]
@@ -219,41 +217,52 @@ struct Around {
     a: DVec3,
     b: DVec3,
     tolerance: f64,
-    /// By how much boxes are widened, so that rounding hides nothing.
-    slack: f64,
+    /// The tolerance and a little more, so that rounding hides nothing.
+    margin: DVec3,
+    /// The box around all that is within the margin.
+    lower: DVec3,
+    upper: DVec3,
+}
+
+impl Around {
+    fn new(a: DVec3, b: DVec3, tolerance: f64, slack: f64) -> Self {
+        let margin = DVec3::splat(tolerance + slack);
+        Self { a, b, tolerance, margin, lower: a.min(b) - margin, upper: a.max(b) + margin }
+    }
+
+    /// Whether the segment meets a box. The box of the segment alone would not do: that of a long slanting edge holds
+    /// all vertices of the mesh.
+    fn crosses(&self, lower: DVec3, upper: DVec3) -> bool {
+        let direction = self.b - self.a;
+        let (mut start, mut end) = (0.0, 1.0_f64);
+        for axis in (0..3).filter(|&axis| direction[axis] != 0.0) {
+            let s = (lower[axis] - self.a[axis]) / direction[axis];
+            let t = (upper[axis] - self.a[axis]) / direction[axis];
+            start = s.min(t).max(start);
+            end = s.max(t).min(end);
+        }
+        start <= end
+    }
 }
 
 impl SelectionFunction<Place> for Around {
-    /// Whether the segment comes near to a box that does not lie within the tolerance of an end as a whole.
-    ///
-    /// The box of the segment would not do: that of a long slanting edge holds all vertices of the mesh.
+    /// Whether the segment comes near to a box, and the box does not lie within the tolerance of an end as a whole.
     fn should_unpack_parent(&self, envelope: &AABB<[f64; 3]>) -> bool {
         let [lower, upper] = [envelope.lower(), envelope.upper()].map(DVec3::from_array);
-        let within = |end: DVec3| (end - lower).abs().max((end - upper).abs()).length() < self.tolerance;
-        if within(self.a) || within(self.b) {
+        if lower.cmpgt(self.upper).any() || upper.cmplt(self.lower).any() {
             return false;
         }
-        let margin = DVec3::splat(self.tolerance + self.slack);
-        let (lower, upper, direction) = (lower - margin, upper + margin, self.b - self.a);
-        let Range { mut start, mut end } = 0.0..1.0_f64;
-        for axis in 0..3 {
-            if direction[axis] == 0.0 {
-                if self.a[axis] < lower[axis] || self.a[axis] > upper[axis] {
-                    return false;
-                }
-            } else {
-                let s = (lower[axis] - self.a[axis]) / direction[axis];
-                let t = (upper[axis] - self.a[axis]) / direction[axis];
-                start = start.max(s.min(t));
-                end = end.min(s.max(t));
-            }
-        }
-        start <= end
+        let is_within = |end: DVec3| {
+            (end - lower).abs().max((end - upper).abs()).length_squared() < self.tolerance * self.tolerance
+        };
+        self.crosses(lower - self.margin, upper + self.margin) && !is_within(self.a) && !is_within(self.b)
     }
 
     fn should_unpack_leaf(&self, place: &Place) -> bool {
         let p = DVec3::from_array(*place.geom());
-        p.distance(self.a) > self.tolerance
+        p.cmpge(self.lower).all()
+            && p.cmple(self.upper).all()
+            && p.distance(self.a) > self.tolerance
             && p.distance(self.b) > self.tolerance
             && distance_to_segment(p, self.a, self.b) <= self.tolerance
     }

@@ -1,7 +1,8 @@
 //! Faces without a structure: what a file holds before it is known to be a mesh.
 //!
 //! A [`FaceList`] is positions and polygons that name them by number. Anything can stand in it, also what no mesh can
-//! hold; [`FaceList::defects`] tells what is wrong and [`FaceList::triangulate`] makes triangles of the polygons.
+//! hold; [`FaceList::defects`] tells what is wrong, [`FaceList::census`] counts what stands there as it is, and
+//! [`FaceList::triangulate`] makes triangles of the polygons.
 //!
 //! **Deliberately not here**: files ([`crate::io`]) and the mesh itself ([`crate::mesh`]).
 

@@ -1,12 +1,15 @@
 //! OFF and OBJ in a few lines, so that what tests expect of a file does not hang on the crate's own readers.
 
+#![allow(dead_code, reason = "no test file uses all of it")]
+#![allow(clippy::unwrap_used, reason = "a file that cannot be read stops the test")]
+
 use std::path::Path;
 
 use vvmesh::glam::DVec3;
 use vvmesh::soup::FaceList;
 
 /// Vertices and polygons of a file, anything else passed over.
-pub fn read(path: &Path) -> FaceList {
+pub(crate) fn read(path: &Path) -> FaceList {
     let text = std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     if path.extension().is_some_and(|ending| ending == "off") { off(&text) } else { obj(&text) }
 }
@@ -52,23 +55,23 @@ fn point<'a>(words: impl Iterator<Item = &'a str>) -> DVec3 {
 }
 
 /// A row of the tables in the README of the mesh files: the file and its columns by name.
-pub struct Row {
+pub(crate) struct Row {
     /// The file below the folder.
-    pub file: String,
+    pub(crate) file: String,
     header: Vec<String>,
     cells: Vec<String>,
 }
 
 impl Row {
     /// The cell under a heading.
-    pub fn cell(&self, heading: &str) -> &str {
+    pub(crate) fn cell(&self, heading: &str) -> &str {
         let at = self.header.iter().position(|name| name == heading);
         &self.cells[at.unwrap_or_else(|| panic!("no column {heading}"))]
     }
 }
 
 /// The rows of all OBJ and OFF files in the tables of the README.
-pub fn tables(folder: &Path) -> Vec<Row> {
+pub(crate) fn tables(folder: &Path) -> Vec<Row> {
     let text = std::fs::read_to_string(folder.join("README.md")).expect("the folder has a README");
     let (mut place, mut header, mut rows) = (String::new(), Vec::new(), Vec::new());
     for line in text.lines() {
