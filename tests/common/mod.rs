@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 ///
 /// Without it a test that needs it says so and passes, unless `VV_REQUIRE_MESHES` is 1.
 #[allow(clippy::print_stderr, reason = "a test that is skipped must say so")]
-pub fn meshes() -> Option<PathBuf> {
+pub(crate) fn meshes() -> Option<PathBuf> {
     let default = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/meshes");
     let folder = std::env::var_os("VV_MESHES").map_or_else(default, PathBuf::from);
     if folder.is_dir() {
