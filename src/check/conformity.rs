@@ -34,9 +34,9 @@ impl Report {
 ///   tolerance of one of the ends is not inside. There is one finding for each such edge, with its ends and the vertices
 ///   on it from the smaller end on (the first 64 found, if there are more), and its face.
 /// - A *crack* is a loop of three boundary edges, of which the vertex off the longest edge is away from it by more than
-///   the tolerance and by less than a quarter of its length. At one of the three vertices the loop must be all of the
-///   boundary there, and the loop must not be the outline of one single face. A larger triangular loop is a hole and no
-///   finding.
+///   the tolerance and by less than a quarter of its length, and stands over its middle half. At one of the three
+///   vertices the loop must be all of the boundary there, and the loop must not be the outline of one single face. Any
+///   other triangular loop is a hole and no finding.
 /// - A *bow-tie* is told where it would stay one after closing T-junctions and cracks: along a chain of them every
 ///   vertex has a fan on either side, which is no second defect.
 /// - The other kinds are those of [`FaceList::defects`]. Isolated vertices are told, but the rest can be conforming.

@@ -1,5 +1,7 @@
 //! T-junctions and cracks: where boundaries lie so close to each other that a gap between faces was not meant.
 
+use std::ops::RangeInclusive;
+
 use glam::DVec3;
 use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree, SelectionFunction};
@@ -13,6 +15,10 @@ const PART_OF_DIAGONAL: f64 = 1e-6;
 
 /// A triangular gap is a crack if it is flatter than this part of its longest edge.
 const FLAT: f64 = 0.25;
+
+/// Where along its longest edge the third vertex of a crack may stand. A crack opens where one face splits an edge near
+/// its middle and the other does not; a flat hole with its third vertex near an end is a hole.
+const MIDDLE: RangeInclusive<f64> = 0.25..=0.75;
 
 /// How many vertices on one edge are looked for: with fewer the work on n edges through the same n points would be n²;
 /// an edge cut in two six times has 63.
@@ -194,7 +200,9 @@ impl<'a> Boundary<'a> {
         let (edge, x) = longest;
         let [a, b] = edge.ends().map(|v| self.points[v as usize]);
         let off = distance_to_segment(self.points[x as usize], a, b);
-        if !(off > self.tolerance && off < FLAT * length(edge)) {
+        let foot = (self.points[x as usize] - a).dot(b - a) / (b - a).length_squared();
+        let is_crack = off > self.tolerance && off < FLAT * length(edge) && MIDDLE.contains(&foot);
+        if !is_crack {
             return;
         }
         for (half, _) in sides.into_iter().filter(|side| side.1 != x) {
