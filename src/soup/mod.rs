@@ -82,8 +82,12 @@ impl FaceList {
         (0..self.face_count()).map(|k| self.face(k))
     }
 
-    /// Where the corners of face `k` stand among all corners.
-    fn corner_range(&self, k: usize) -> Range<usize> {
+    /// Where the corners of face `k` stand among all corners, counted through all faces.
+    ///
+    /// # Panics
+    /// If there is no face `k`.
+    #[must_use]
+    pub fn corner_range(&self, k: usize) -> Range<usize> {
         let start = if k == 0 { 0 } else { self.ends[k - 1] as usize };
         start..self.ends[k] as usize
     }
