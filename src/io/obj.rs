@@ -1,8 +1,10 @@
 //! OBJ, read through tobj and written by hand. Only this file names tobj.
 //!
-//! tobj reads coordinates and faces; [`Scan`] stands before it, passes on the lines it may see, checks and counts them.
-//! tobj numbers vertices by first use and drops those without a face, so it is given more faces at the end, which name
-//! all vertices in the order of the file: what it makes of them tells where each vertex went.
+//! tobj reads the vertices. [`Scan`] stands before it: it counts the lines, checks them, passes `v x y z` on and takes the
+//! faces itself, for tobj loses the line, the groups and what stands at a corner, and splits shared vertices.
+//! tobj drops vertices that no face names and numbers the others by first use. So every thousand of them it is given a
+//! face that names them in their order, as an object of its own: one object after the other, they are the vertices of
+//! the file.
 //!
 //! **Deliberately not here**: material files. Their names are kept, they are not opened.
 
@@ -16,14 +18,12 @@ use super::text::{Words, float, normalize, shown};
 use super::write::{self, Surface};
 use super::{Format, Loaded};
 use crate::error::{ReadError, ReadErrorKind};
-use crate::id::VertexId;
-use crate::soup::FaceList;
 
 /// Reads the text of an OBJ file.
 ///
 /// Vertex `k` is the `k`-th `v` line, whether a face uses it or not, and the faces are those of the file, of any number
 /// of sides, in its order; groups and materials split nothing. Corners may repeat and coordinates may be infinite or no
-/// numbers: [`FaceList::defects`] tells. An index may point to a line further below. A line that ends in `\` goes on in
+/// numbers: [`FaceList::defects`](crate::soup::FaceList::defects) tells. An index may point to a line further below. A line that ends in `\` goes on in
 /// the next.
 ///
 /// # Errors
@@ -45,21 +45,20 @@ use crate::soup::FaceList;
 pub fn read_obj(bytes: &[u8]) -> Result<Loaded, ReadError> {
     let text = normalize(bytes)?;
     let mut feed = Feed::new(&text);
-    // Points and lines are kept for the sake of the last faces; the file's own are refused or left out by the scan.
+    // The last face may name one vertex or two, which tobj takes for a point or a line.
     let options = tobj::LoadOptions { ignore_lines: false, ignore_points: false, ..tobj::LoadOptions::default() };
     let answer = tobj::load_obj_buf(&mut feed, &options, |_| Err(tobj::LoadError::OpenFileFailed));
     if let Some(error) = feed.error.take() {
         return Err(error);
     }
     let (models, _) = answer.map_err(|_| feed.blame())?;
-    let scan = feed.scan;
-    let mesh = models.into_iter().next().map(|model| model.mesh).unwrap_or_default();
-    Ok(Loaded {
-        format: Format::Obj,
-        faces: in_file_order(&mesh, &scan),
-        attributes: scan.attributes,
-        notes: scan.notes,
-    })
+    let Scan { mut faces, attributes, notes, vertex_count, .. } = feed.scan;
+    faces.positions.reserve_exact(vertex_count);
+    for model in &models {
+        faces.positions.extend(model.mesh.positions.chunks_exact(3).map(DVec3::from_slice));
+    }
+    debug_assert_eq!(faces.positions.len(), vertex_count);
+    Ok(Loaded { format: Format::Obj, faces, attributes, notes })
 }
 
 /// Writes OBJ: `v` lines, then `f` lines, nothing else.
@@ -82,7 +81,7 @@ pub fn write_obj(out: &mut impl Write, surface: &impl Surface) -> io::Result<()>
     lines.finish()
 }
 
-/// How many vertices one of the last faces names.
+/// How many vertices one of the added faces names. More would make tobj's hash map outgrow the cache.
 const NAMED_AT_ONCE: usize = 1024;
 
 /// The text as tobj may see it, line by line.
@@ -98,8 +97,8 @@ struct Feed<'a> {
     buffer: Vec<u8>,
     /// The line of the file it comes from.
     reading_number: usize,
-    /// How many vertices the last faces have named, once the text is at its end.
-    named: Option<usize>,
+    /// How many vertices the added faces have named.
+    named: usize,
     error: Option<ReadError>,
 }
 
@@ -114,13 +113,17 @@ impl<'a> Feed<'a> {
             reading: 0..0,
             buffer: Vec::new(),
             reading_number: 0,
-            named: None,
+            named: 0,
             error: None,
         }
     }
 
     /// Goes on to the next line that tobj is to see, or to an empty one at the end.
     fn advance(&mut self) -> Result<(), ReadError> {
+        if self.scan.vertex_count - self.named == NAMED_AT_ONCE {
+            self.name_vertices();
+            return Ok(());
+        }
         while self.next < self.text.len() {
             let (start, number) = (self.next, self.number);
             let end = self.end_of_line(start);
@@ -151,7 +154,7 @@ impl<'a> Feed<'a> {
             self.show_buffer();
             return Ok(());
         }
-        self.name_vertices()
+        self.finish()
     }
 
     /// Where a line ends; the next starts behind it.
@@ -191,43 +194,32 @@ impl<'a> Feed<'a> {
         self.reading = 0..self.buffer.len();
     }
 
-    /// The last faces: all vertices in the order of the file.
-    fn name_vertices(&mut self) -> Result<(), ReadError> {
-        let named = match self.named {
-            Some(named) => named,
-            None => {
-                self.scan.finish()?;
-                if self.scan.vertex_count == 0 {
-                    let is_empty = self.text.split(|&byte| byte == b'\n').all(|line| Words::new(line).next().is_none());
-                    return Err(ReadError::whole(if is_empty {
-                        ReadErrorKind::Empty
-                    } else {
-                        ReadErrorKind::NoVertex
-                    }));
-                }
-                if VertexId::try_new(self.scan.vertex_count - 1).is_none() {
-                    return Err(ReadError::whole(ReadErrorKind::TooMany("vertices")));
-                }
-                if u32::try_from(self.scan.corner_count).is_err() {
-                    return Err(ReadError::whole(ReadErrorKind::TooMany("corners of faces")));
-                }
-                0
-            }
-        };
-        let end = (named + NAMED_AT_ONCE).min(self.scan.vertex_count);
-        self.named = Some(end);
-        self.buffer.clear();
-        if named == end {
-            self.reading = 0..0;
+    /// Checks the whole, and gives tobj a face for the last vertices.
+    fn finish(&mut self) -> Result<(), ReadError> {
+        if self.scan.vertex_count > self.named {
+            self.name_vertices();
             return Ok(());
         }
-        self.buffer.push(b'f');
-        for k in named..end {
-            self.buffer.push(b' ');
-            write::push_integer(&mut self.buffer, k as u64 + 1);
+        if self.scan.vertex_count == 0 {
+            let is_empty = self.text.split(|&byte| byte == b'\n').all(|line| Words::new(line).next().is_none());
+            return Err(ReadError::whole(if is_empty { ReadErrorKind::Empty } else { ReadErrorKind::NoVertex }));
         }
+        self.reading = 0..0;
+        self.scan.finish()
+    }
+
+    /// Puts a face into the buffer that names the vertices that none has named, counted from the last, and starts a
+    /// new object behind it.
+    fn name_vertices(&mut self) {
+        self.buffer.clear();
+        self.buffer.push(b'f');
+        for k in (1..=self.scan.vertex_count - self.named).rev() {
+            self.buffer.extend_from_slice(b" -");
+            write::push_integer(&mut self.buffer, k as u64);
+        }
+        self.buffer.extend_from_slice(b"\no");
+        self.named = self.scan.vertex_count;
         self.show_buffer();
-        Ok(())
     }
 
     fn current(&self) -> &[u8] {
@@ -273,27 +265,4 @@ impl BufRead for Feed<'_> {
     fn consume(&mut self, amount: usize) {
         self.reading.start += amount;
     }
-}
-
-/// The faces of the file with the numbers of the file.
-fn in_file_order(mesh: &tobj::Mesh, scan: &Scan) -> FaceList {
-    let (corners, went_to) = mesh.indices.split_at(scan.corner_count);
-    let position = |k: usize| DVec3::from_slice(&mesh.positions[3 * k..]);
-    let mut came_from = vec![0; went_to.len()];
-    for (k, &place) in went_to.iter().enumerate() {
-        came_from[place as usize] = k as u32;
-    }
-    let mut faces = FaceList::new(went_to.iter().map(|&place| position(place as usize)).collect());
-    // tobj leaves the numbers of sides out if all are three.
-    let mut sides = mesh.face_arities.iter().map(|&sides| sides as usize);
-    let mut face = Vec::new();
-    let mut rest = corners;
-    for _ in 0..scan.face_count {
-        let (here, after) = rest.split_at(sides.next().unwrap_or(3));
-        face.clear();
-        face.extend(here.iter().map(|&place| came_from[place as usize]));
-        faces.push_face(&face);
-        rest = after;
-    }
-    faces
 }

@@ -1,9 +1,9 @@
-//! One scan over an OBJ file beside tobj: it checks what tobj lets pass and records what tobj loses.
+//! One scan over an OBJ file before tobj: it checks what tobj lets pass and records what tobj loses.
 //!
-//! tobj is given plain lines `v x y z` and `f ...` only, so it neither splits the file at groups and materials, nor
-//! divides by weights, nor takes polylines for faces. Where a line is such already it is passed on as it stands.
+//! tobj is given plain lines `v x y z` only, so it neither splits the file at groups and materials, nor divides by
+//! weights, nor takes polylines for faces. Where a line is such already it is passed on as it stands.
 //!
-//! **Deliberately not here**: the coordinates of vertices and the corners of faces; those tobj reads.
+//! **Deliberately not here**: the coordinates of vertices; those tobj reads.
 
 use std::collections::HashMap;
 
@@ -13,6 +13,8 @@ use super::attributes::{FaceAttributes, NO_INDEX, NameId, Section, State};
 use super::notes::{self, Note, NoteKind};
 use super::text::{Words, float, integer, shown};
 use crate::error::{ReadError, ReadErrorKind};
+use crate::id::VertexId;
+use crate::soup::FaceList;
 
 const VERTEX: &str = "vertex";
 const TEXTURE: &str = "texture coordinate";
@@ -33,8 +35,11 @@ pub(super) enum Feeding {
 #[derive(Default)]
 pub(super) struct Scan {
     pub(super) vertex_count: usize,
-    pub(super) face_count: usize,
-    pub(super) corner_count: usize,
+    /// The faces, as yet without positions.
+    pub(super) faces: FaceList,
+    corner_count: usize,
+    /// The corners of the face at hand.
+    corners: Vec<u32>,
     pub(super) attributes: FaceAttributes,
     pub(super) notes: Vec<Note>,
     name_ids: HashMap<String, NameId>,
@@ -51,7 +56,7 @@ impl Scan {
         let Some(keyword) = words.next() else { return Ok(Feeding::Nothing) };
         let done = match keyword {
             b"v" => self.vertex(words, number),
-            b"f" => self.face(words, number),
+            b"f" => self.face(words, number).map(|()| Feeding::Nothing),
             _ => self.other(keyword, words, number).map(|()| Feeding::Nothing),
         };
         done.map_err(|kind| ReadError::at(number, kind))
@@ -112,36 +117,42 @@ impl Scan {
             }
             _ => return Err(ReadErrorKind::NumberCount { of: "a vertex", expected: "3, 4, 6 or 7", found }),
         }
+        if self.vertex_count > VertexId::MAX_INDEX {
+            return Err(ReadErrorKind::TooMany("vertices"));
+        }
         self.vertex_count += 1;
         let whole = found == 3 && words.next_is_end();
         Ok(if whole { Feeding::Whole } else { Feeding::Head(ends[2]) })
     }
 
-    fn face(&mut self, mut words: Words<'_>, line: usize) -> Result<Feeding, ReadErrorKind> {
+    fn face(&mut self, words: Words<'_>, line: usize) -> Result<(), ReadErrorKind> {
         if self.attributes.sections.last().map_or(self.state != State::default(), |last| last.state != self.state) {
-            self.attributes.sections.push(Section { first_face: self.face_count, state: self.state.clone() });
+            self.attributes.sections.push(Section { first_face: self.faces.face_count(), state: self.state.clone() });
         }
-        let first = self.corner_count;
-        for word in &mut words {
-            self.corner(word, line)?;
+        self.corners.clear();
+        for word in words {
+            let corner = self.corner(word, line)?;
+            self.corners.push(corner);
             self.corner_count += 1;
         }
-        let found = self.corner_count - first;
-        if found < 3 {
-            return Err(ReadErrorKind::TooFewCorners(found));
+        if self.corners.len() < 3 {
+            return Err(ReadErrorKind::TooFewCorners(self.corners.len()));
         }
-        self.face_count += 1;
-        Ok(if words.next_is_end() { Feeding::Whole } else { Feeding::Head(words.end()) })
+        if u32::try_from(self.corner_count).is_err() {
+            return Err(ReadErrorKind::TooMany("corners of faces"));
+        }
+        self.faces.push_face(&self.corners);
+        Ok(())
     }
 
     /// A corner `v`, `v/vt`, `v//vn` or `v/vt/vn`.
     #[inline]
-    fn corner(&mut self, word: &[u8], line: usize) -> Result<(), ReadErrorKind> {
+    fn corner(&mut self, word: &[u8], line: usize) -> Result<u32, ReadErrorKind> {
         let mut parts = word.split(|&byte| byte == b'/');
         let vertex = parts.next().unwrap_or_default();
-        self.resolve(0, vertex, self.vertex_count, line)?;
+        let corner = self.resolve(0, vertex, self.vertex_count, line)?;
         if vertex.len() == word.len() {
-            return Ok(());
+            return Ok(corner);
         }
         if let Some(texture) = parts.next().filter(|part| !part.is_empty()) {
             let index = self.resolve(1, texture, self.attributes.texture_coordinates.len(), line)?;
@@ -156,7 +167,7 @@ impl Scan {
         if parts.next().is_some() {
             return Err(ReadErrorKind::NotAnInteger(shown(word)));
         }
-        Ok(())
+        Ok(corner)
     }
 
     /// An index from 0, of the `sort` vertex, texture coordinate or normal, of which there are `count` so far.

@@ -1,6 +1,7 @@
 //! The tables that come with the mesh files.
 
 #![allow(dead_code, reason = "each test file uses a part of it")]
+#![allow(clippy::unwrap_used, reason = "a table that cannot be read fails the test")]
 
 use std::path::Path;
 
