@@ -20,6 +20,8 @@ use crate::error::{WriteError, WriteErrorKind};
 /// ```
 /// # let folder = tempfile::tempdir()?;
 /// # let path = folder.path().join("table.tsv");
+/// use std::io::Write;
+///
 /// vvmesh::io::write_atomically(&path, |out| out.write_all(b"id\n0\n"))?;
 /// assert_eq!(std::fs::read(&path)?, b"id\n0\n");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
