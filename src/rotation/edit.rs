@@ -332,6 +332,21 @@ mod tests {
     }
 
     #[test]
+    fn a_flip_says_why_not() {
+        let mut tetrahedron = shapes::tetrahedron().rotation().clone();
+        let [a, b] = ids([0, 1]);
+        assert_eq!(tetrahedron.flip(a, b), Err(EditError::Valence { v: a, valence: 2, needed: 3 }));
+        let mut grid = shapes::grid(1, 1).rotation().clone();
+        let [c, d] = ids([2, 3]);
+        assert_eq!(grid.flip(a, b), Err(EditError::GapOnLeft(DirectedEdge::new(b, a))));
+        assert_eq!(grid.flip(b, c), Err(EditError::NoEdge(Edge::new(b, c))));
+        assert_eq!(grid.flip(a, VertexId::new(4)), Err(EditError::NoVertex(VertexId::new(4))));
+        assert_eq!(grid.flip(a, d), Ok(Edge::new(b, c)));
+        grid.delete_edge(b, c).unwrap();
+        assert_eq!(grid.split_edge_triangles(a, b), Err(EditError::NotTriangle(DirectedEdge::new(a, b))));
+    }
+
+    #[test]
     fn a_collapse_keeps_the_link_condition() {
         let mut tetrahedron = shapes::tetrahedron().rotation().clone();
         let [a, b, ..] = ids([0, 1]);
@@ -343,7 +358,7 @@ mod tests {
         assert_eq!((grid.triangle_count(), grid.valence(b), grid.validate_triangles()), (1, 0, vec![]));
         assert!(matches!(grid.collapse(a, c), Err(EditError::Valence { valence: 1, needed: 2, .. })));
 
-        // Three triangles round a triangular hole, and outward ones that keep their other sides apart.
+        // A band of six triangles round a triangular hole.
         let ring = [[0, 4, 1], [0, 3, 4], [1, 5, 2], [1, 4, 5], [2, 3, 0], [2, 5, 3]];
         let mesh = crate::Mesh::from_triangles(vec![glam::DVec3::ZERO; 6], &ring).unwrap();
         let mut system = mesh.rotation().clone();

@@ -460,6 +460,13 @@ mod tests {
         assert_eq!(cut(&mut system, false), Ok(()));
         assert_eq!((system.edge_count(), system.face_count(), system.validate()), (11, 7, vec![]));
         assert_eq!(system.neighbors(v), [b, c, d]);
+
+        // Back again: the corners beside the new edge are new, their outer rings untouched but read.
+        let mut transaction = system.transaction();
+        transaction.splice_after(v, d, a).unwrap();
+        transaction.splice_after(a, b, v).unwrap();
+        assert_eq!(transaction.commit_triangles(), Ok(()));
+        assert_eq!(system.validate_triangles(), []);
     }
 
     #[test]
