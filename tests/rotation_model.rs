@@ -1,5 +1,8 @@
 //! Edit scripts against naive models, compared and validated after every edit.
 
+#![allow(clippy::unwrap_used, reason = "a test that panics has failed")]
+#![allow(clippy::print_stderr, reason = "shown only if a test fails: the seed")]
+
 #[path = "common/gen.rs"]
 mod generate;
 #[path = "common/model.rs"]

@@ -92,13 +92,13 @@ impl FusedIterator for Circulator<'_> {}
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rotation::RingBuf;
 
     #[test]
     fn it_goes_round_once_from_both_sides() {
         let [a, b, c, d] = [5, 6, 7, 8].map(VertexId::new);
-        for open in [false, true] {
-            let neighbors = [a, b, c, d];
-            let ring = Ring::new(&neighbors, open);
+        for buf in [RingBuf::closed(&[a, b, c, d]), RingBuf::open(&[a, b, c, d])] {
+            let ring = buf.as_ring();
             let mut round = ring.circulate(c).unwrap();
             assert_eq!(round.len(), 4);
             assert_eq!((round.next(), round.next_back(), round.len()), (Some(c), Some(b), 2));

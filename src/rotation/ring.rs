@@ -92,10 +92,6 @@ pub struct Ring<'a> {
 }
 
 impl<'a> Ring<'a> {
-    pub(crate) fn new(neighbors: &'a [VertexId], open: bool) -> Self {
-        Self { neighbors, open }
-    }
-
     /// The neighbours in order, from the start of the ring.
     #[inline]
     #[must_use]

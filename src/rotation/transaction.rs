@@ -438,7 +438,7 @@ mod tests {
         let mut transaction = system.transaction();
         transaction.erase(v, a).unwrap();
         transaction.open_gap(v, d).unwrap();
-        let defects = vec![
+        let defects = [
             RingDefect::OneSided { v: a, neighbor: v },
             RingDefect::Gap { edge: DirectedEdge::new(v, d) },
             RingDefect::Gap { edge: DirectedEdge::new(b, v) },
