@@ -1,5 +1,11 @@
 //! What several test files share.
 
+#![allow(dead_code, unreachable_pub, reason = "each test file is a crate and uses a part")]
+
+pub mod load;
+pub mod random;
+pub mod run;
+
 use std::path::{Path, PathBuf};
 
 /// The folder of mesh files, if there is one: `VV_MESHES`, else `../shared/meshes` beside the repository.

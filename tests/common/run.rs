@@ -1,0 +1,107 @@
+//! Runs of refinements, and a run beside uniform refinement of the same mesh.
+
+use vvmesh::glam::DVec3;
+use vvmesh::scheme::{AnyScheme, Butterfly, Loop, LoopWeights, Midpoint, ModifiedButterfly};
+use vvmesh::scratch::Scratch;
+use vvmesh::select::Selection;
+use vvmesh::step::{History, Keep};
+use vvmesh::subdivide::{Control, Step, Subdivider};
+use vvmesh::{Mesh, VertexId};
+
+/// Every scheme with its name.
+pub fn schemes() -> [(&'static str, AnyScheme); 5] {
+    [
+        ("loop", Loop::default().into()),
+        ("loop with warren's weights", Loop::new(LoopWeights::Warren).into()),
+        ("butterfly", Butterfly.into()),
+        ("modified butterfly", ModifiedButterfly.into()),
+        ("midpoint", Midpoint.into()),
+    ]
+}
+
+/// A mesh that is refined step by step.
+#[derive(Clone)]
+pub struct Run {
+    pub mesh: Mesh,
+    pub history: History,
+}
+
+impl Run {
+    pub fn new(mesh: &Mesh) -> Self {
+        let history = History::new(mesh, Keep { names: true, certificate: true });
+        Self { mesh: mesh.clone(), history }
+    }
+
+    pub fn step(&mut self, subdivider: &Subdivider, selection: &Selection) -> Step {
+        let Self { mesh, history } = self;
+        subdivider
+            .step(mesh, history, selection, &mut Scratch::new(), &mut Control::default())
+            .expect("nothing limits the step")
+    }
+
+    /// All that can be seen of the mesh, in bits.
+    pub fn bits(&self) -> MeshBits {
+        MeshBits {
+            rings: self.mesh.vertices().map(|v| ring(&self.mesh, v)).collect(),
+            positions: self.mesh.positions().iter().map(|&p| bits(p)).collect(),
+            sharp: self.mesh.tags().sharp_edges().iter().map(|edge| edge.ends()).collect(),
+            corners: self.mesh.tags().corners(),
+        }
+    }
+}
+
+#[derive(PartialEq, Debug)]
+pub struct MeshBits {
+    rings: Vec<(Vec<VertexId>, bool)>,
+    positions: Vec<[u64; 3]>,
+    sharp: Vec<[VertexId; 2]>,
+    corners: Vec<VertexId>,
+}
+
+pub fn bits(position: DVec3) -> [u64; 3] {
+    position.to_array().map(f64::to_bits)
+}
+
+/// A ring from its start, and whether it is open.
+pub fn ring(mesh: &Mesh, v: VertexId) -> (Vec<VertexId>, bool) {
+    (mesh.ring(v).neighbors().to_vec(), mesh.ring(v).is_open())
+}
+
+/// A run with, for each of its vertices, the one of the same name in a uniform run of the same number of steps.
+pub struct Beside<'a> {
+    run: &'a Run,
+    uniform: &'a Run,
+    same: Vec<Option<VertexId>>,
+}
+
+impl<'a> Beside<'a> {
+    pub fn new(run: &'a Run, uniform: &'a Run) -> Self {
+        assert_eq!(run.history.step_count(), uniform.history.step_count());
+        let same = run.history.same_names(&uniform.history).expect("both keep names");
+        Self { run, uniform, same }
+    }
+
+    /// The vertex of the same name.
+    pub fn twin(&self, v: VertexId) -> Option<VertexId> {
+        self.same[v.index()]
+    }
+
+    pub fn position_is_same(&self, v: VertexId) -> bool {
+        let twin = |w| bits(self.run.mesh.position(v)) == bits(self.uniform.mesh.position(w));
+        self.twin(v).is_some_and(twin)
+    }
+
+    /// Whether the neighbours have the same names in the same order from the same start, with the same gap.
+    pub fn rotation_is_same(&self, v: VertexId) -> bool {
+        let Some(w) = self.twin(v) else { return false };
+        let (here, there) = (self.run.mesh.ring(v), self.uniform.mesh.ring(w));
+        here.is_open() == there.is_open() && here.iter().map(|x| self.twin(x)).eq(there.iter().map(Some))
+    }
+
+    /// Position, rotation, and positions of the neighbours.
+    pub fn star_is_same(&self, v: VertexId) -> bool {
+        self.position_is_same(v)
+            && self.rotation_is_same(v)
+            && self.run.mesh.ring(v).iter().all(|w| self.position_is_same(w))
+    }
+}
