@@ -95,6 +95,7 @@ struct Facts {
 /// The facts that a step hands on, read before it is made.
 #[derive(Debug)]
 pub(crate) struct Handed {
+    moves_even: bool,
     even: Vec<Facts>,
     odd: Vec<Facts>,
 }
@@ -111,7 +112,6 @@ pub(crate) fn before(
     reach: Reach,
     moves_even: bool,
 ) -> Handed {
-    exactness.set_positions_lapse(moves_even);
     let mut even = Vec::with_capacity(moving.len());
     for &v in moving {
         let star = star(exactness, mesh, v);
@@ -139,7 +139,7 @@ pub(crate) fn before(
         let spoiler = if both(Proof::Star) { None } else { exactness.spoiler(p).or(exactness.spoiler(q)) };
         Facts { position, rotation: one(Proof::Rotation), spoiler }
     });
-    Handed { odd: odd.collect(), even }
+    Handed { moves_even, odd: odd.collect(), even }
 }
 
 /// Goes on to the mesh after the step, with what was inherited and what the step did around each vertex.
@@ -151,7 +151,7 @@ pub(crate) fn after(
     plan: &Plan,
     closing: &Closing,
 ) {
-    exactness.advance(mesh.vertex_count());
+    exactness.advance(mesh.vertex_count(), handed.moves_even);
     let is_new = |v: VertexId| v.index() >= plan.first;
     let mut settle = |v: VertexId, facts: Facts, refined: bool| {
         if facts.position {

@@ -44,8 +44,8 @@ struct Record {
 #[derive(Clone, Debug)]
 pub(crate) struct Exactness {
     step: u32,
-    /// Whether even vertices move, so that a proven position is another one's after the next step.
-    positions_lapse: bool,
+    /// The last step that moved even vertices: positions shown before it have lapsed, those shown since hold.
+    moved: u32,
     records: Vec<Record>,
 }
 
@@ -53,14 +53,14 @@ impl Exactness {
     /// Of input vertices everything is proven.
     pub(crate) fn new(vertex_count: usize) -> Self {
         let record = Record { shown: [0, 0, NEVER], spoiler: None };
-        Self { step: 0, positions_lapse: true, records: vec![record; vertex_count] }
+        Self { step: 0, moved: 0, records: vec![record; vertex_count] }
     }
 
     #[inline]
     pub(crate) fn holds(&self, proof: Proof, v: VertexId) -> bool {
         let shown = self.records[v.index()].shown[proof as usize];
-        let lapses = self.positions_lapse || proof != Proof::Position;
-        shown == self.step || (!lapses && shown != NEVER)
+        let since = if proof == Proof::Position { self.moved } else { self.step };
+        since <= shown && shown != NEVER
     }
 
     pub(crate) fn spoiler(&self, v: VertexId) -> Option<Spoiler> {
@@ -72,20 +72,19 @@ impl Exactness {
         self.records[v.index()].shown[proof as usize] = self.step;
     }
 
-    /// Says whether the scheme moves even vertices.
-    pub(crate) fn set_positions_lapse(&mut self, lapse: bool) {
-        self.positions_lapse = lapse;
-    }
-
     /// Names what spoiled a vertex, unless that is known already.
     pub(crate) fn spoil(&mut self, v: VertexId, spoiler: Option<Spoiler>) {
         let record = &mut self.records[v.index()];
         record.spoiler = record.spoiler.or(spoiler);
     }
 
-    /// Goes on to the next step, with new vertices of which nothing is proven. What was shown lapses.
-    pub(crate) fn advance(&mut self, vertex_count: usize) {
+    /// Goes on to the next step, with new vertices of which nothing is proven. What was shown lapses, but for positions
+    /// if even vertices did not move.
+    pub(crate) fn advance(&mut self, vertex_count: usize, moves_even: bool) {
         self.step += 1;
+        if moves_even {
+            self.moved = self.step;
+        }
         let record = Record { shown: [NEVER; 3], spoiler: None };
         self.records.resize(vertex_count, record);
     }
