@@ -64,6 +64,12 @@ impl BuildError {
         Self { defects }
     }
 
+    /// The error that these defects are, for faces that a mesh is not built from directly; `None` if there is no defect.
+    #[must_use]
+    pub fn from_defects(defects: Vec<Defect>) -> Option<Self> {
+        (!defects.is_empty()).then(|| Self::new(defects))
+    }
+
     /// All defects.
     #[must_use]
     pub fn defects(&self) -> &[Defect] {

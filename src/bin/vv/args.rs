@@ -1,0 +1,240 @@
+//! The arguments of every command.
+
+use std::fmt;
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// What an expression may be, for the help of the options that take one.
+const EXPRESSIONS: &str = "\
+Expressions (vertices count from 0):
+  all                   every vertex
+  vertices:1,2,3        these vertices; vertices:@FILE reads them from a file
+  disk:V,R              all within R edges of vertex V
+  sphere:x,y,z,radius   all within a distance of a point
+  dihedral:DEG          ends and opposite vertices of edges folded by more than DEG degrees
+  !E   E & E   E | E    not, and, or, in the order in which they bind; parentheses group
+
+";
+
+/// Adaptive subdivision of triangle meshes on a graph rotation system.
+#[derive(Parser, Debug)]
+#[command(name = "vv", version, arg_required_else_help = true, max_term_width = 100)]
+#[command(after_help = "\
+Example:
+  vv demo
+  vv subdivide spot.obj -o fine.obj --scheme loop --levels 3 --method incremental --select disk:0,2
+
+Meshes are read and written as OBJ and OFF. Ids count from 0, in OBJ too.
+Exit codes: 0 done, 1 check found something, 2 usage or input.")]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Subcommand, Debug)]
+pub(crate) enum Command {
+    Demo(DemoArguments),
+    Info(InfoArguments),
+    Check(CheckArguments),
+    Select(SelectArguments),
+    Subdivide(SubdivideArguments),
+}
+
+/// Refine a region of a built-in mesh by every method and compare
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Example:
+  vv demo -o pictures
+
+The model is an open vase with a sharp edge. Three levels of Loop subdivision of one side of it are made by each method.
+DEVIATION is the greatest distance of a selected vertex from the vertex of the same name in the uniform mesh, as a part
+of the diagonal of the model: 0 says that not one bit differs.")]
+pub(crate) struct DemoArguments {
+    /// The folder for the meshes, made if it is not there
+    #[arg(short = 'o', value_name = "DIR", default_value = "vv-demo")]
+    pub(crate) folder: PathBuf,
+    /// Print the table as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Count what is in a mesh: sizes, components, boundary loops, genus, valences, bounds
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Example:
+  vv info spot.obj --json
+
+All numbers are those of the polygons as they stand in the file, whatever is wrong with them.")]
+pub(crate) struct InfoArguments {
+    /// The mesh, OBJ or OFF
+    #[arg(value_name = "MESH")]
+    pub(crate) mesh: PathBuf,
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Look for T-junctions, cracks and everything else that keeps faces from being a conforming mesh
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Example:
+  vv check fine.obj
+
+Exit codes: 0 conforming, 1 something was found, 2 the file could not be read.
+Isolated vertices are told but do no harm, and a boundary is no defect.")]
+pub(crate) struct CheckArguments {
+    /// The mesh, OBJ or OFF
+    #[arg(value_name = "MESH")]
+    pub(crate) mesh: PathBuf,
+    /// How near to an edge a vertex lies on it [default: 1e-6 of the bounding-box diagonal]
+    #[arg(long, value_name = "T", value_parser = distance, allow_negative_numbers = true)]
+    pub(crate) tolerance: Option<f64>,
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Tell which vertices an expression picks, without refining
+#[derive(Args, Debug)]
+#[command(after_help = format!("\
+{EXPRESSIONS}Example:
+  vv select spot.obj --select 'dihedral:40 & !disk:0,5' > ids.txt
+
+The ids are printed one a line, so the output can be given back as vertices:@ids.txt."))]
+pub(crate) struct SelectArguments {
+    /// The mesh, OBJ or OFF
+    #[arg(value_name = "MESH")]
+    pub(crate) mesh: PathBuf,
+    /// Which vertices; see below
+    #[arg(long, value_name = "EXPR")]
+    pub(crate) select: String,
+    /// Expand the selection by this many rings of neighbours
+    #[arg(long, value_name = "R", default_value_t = 0, allow_negative_numbers = true)]
+    pub(crate) rings: usize,
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Refine a mesh, or a region of it
+#[derive(Args, Debug)]
+#[command(after_help = format!("\
+{EXPRESSIONS}Example:
+  vv subdivide spot.obj -o fine.obj --scheme loop --levels 3 --method incremental \\
+      --select disk:0,4 --report report.json
+
+What stands at the end is written whole or not at all: nothing is touched if a level is refused or fails."))]
+pub(crate) struct SubdivideArguments {
+    /// The mesh, OBJ or OFF
+    #[arg(value_name = "MESH")]
+    pub(crate) mesh: PathBuf,
+    /// Where to write the refined mesh, OBJ or OFF by its ending
+    #[arg(short = 'o', value_name = "OUT")]
+    pub(crate) output: PathBuf,
+    /// Which weights make the new positions
+    #[arg(long)]
+    pub(crate) scheme: SchemeName,
+    /// How many steps; 0 copies the mesh
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub(crate) levels: u8,
+    /// What each step refines: everything, the selection, or the selection with the rings around it
+    #[arg(long)]
+    pub(crate) method: MethodName,
+    /// By how many rings `incremental` expands the selection [default: 1]
+    #[arg(long, value_name = "R", allow_negative_numbers = true)]
+    pub(crate) rings: Option<usize>,
+    /// Which vertices, chosen once and followed through the levels; see below [default: all]
+    #[arg(long, value_name = "EXPR", conflicts_with = "select_each")]
+    pub(crate) select: Option<String>,
+    /// Which vertices, chosen anew at every level; see below
+    #[arg(long, value_name = "EXPR")]
+    pub(crate) select_each: Option<String>,
+    /// Boundary vertices that stay as corners: none, those of valence 2, or all of the input [default: smooth]
+    #[arg(long)]
+    pub(crate) boundary: Option<BoundaryName>,
+    /// Weights of smooth vertices under `loop` [default: loop]
+    #[arg(long)]
+    pub(crate) weights: Option<WeightsName>,
+    /// Make edges folded by more than this sharp
+    #[arg(long, value_name = "DEG", value_parser = degrees, allow_negative_numbers = true, conflicts_with = "sharp")]
+    pub(crate) sharp_angle: Option<f64>,
+    /// Make the edges and corners in a file sharp: a line `a b` names an edge, a line `a` a corner, `#` starts a comment
+    #[arg(long, value_name = "FILE")]
+    pub(crate) sharp: Option<PathBuf>,
+    /// Put the vertices where infinitely many steps of `loop` would
+    #[arg(long)]
+    pub(crate) limit: bool,
+    /// Write a report, one row a level
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) report: Option<PathBuf>,
+    /// Write a table of the vertices: level, parents, selected, certified
+    #[arg(long, value_name = "FILE.tsv")]
+    pub(crate) vertex_table: Option<PathBuf>,
+    /// Write a table of the faces: level, kind, selected
+    #[arg(long, value_name = "FILE.tsv")]
+    pub(crate) face_table: Option<PathBuf>,
+    /// Refuse to make more faces than this [default: what fits the memory that is free]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub(crate) max_faces: Option<u64>,
+    /// Print the report as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum SchemeName {
+    Loop,
+    Butterfly,
+    ModifiedButterfly,
+    Midpoint,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum MethodName {
+    Uniform,
+    Simple,
+    Incremental,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum BoundaryName {
+    Smooth,
+    Corners,
+    Fixed,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum WeightsName {
+    Loop,
+    Warren,
+}
+
+/// Names print as they are typed.
+macro_rules! print_as_typed {
+    ($($name:ty),*) => {
+        $(impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                let value = self.to_possible_value();
+                f.write_str(value.as_ref().map_or("", clap::builder::PossibleValue::get_name))
+            }
+        })*
+    };
+}
+
+print_as_typed!(SchemeName, MethodName, BoundaryName);
+
+fn distance(text: &str) -> Result<f64, String> {
+    number(text, 0.0..=f64::MAX, "a distance, 0 or more")
+}
+
+fn degrees(text: &str) -> Result<f64, String> {
+    number(text, 0.0..=180.0, "degrees from 0 to 180")
+}
+
+fn number(text: &str, allowed: std::ops::RangeInclusive<f64>, expected: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(number) if allowed.contains(&number) => Ok(number),
+        _ => Err(format!("expected {expected}")),
+    }
+}

@@ -1,0 +1,46 @@
+//! A progress bar for work that takes long, on a terminal only.
+
+use std::io::{IsTerminal, stderr};
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+use vvmesh::subdivide::Progress;
+
+/// Work that is done sooner shows no bar.
+const SHORT: Duration = Duration::from_secs(1);
+
+/// The bar of one command, which appears when the work turns out to be long.
+pub(crate) struct Bar {
+    started: Instant,
+    terminal: bool,
+    bar: Option<ProgressBar>,
+}
+
+impl Bar {
+    /// Starts the clock.
+    pub(crate) fn new() -> Self {
+        Self { started: Instant::now(), terminal: stderr().is_terminal(), bar: None }
+    }
+
+    /// Shows how far a level is.
+    pub(crate) fn show(&mut self, level: u8, progress: Progress) -> ControlFlow<()> {
+        if self.terminal && self.started.elapsed() > SHORT {
+            let bar = self.bar.get_or_insert_with(|| {
+                let style = ProgressStyle::with_template("{msg} [{bar:40}] {percent}% of {len} positions");
+                ProgressBar::no_length().with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+            });
+            bar.set_message(format!("level {level}"));
+            bar.set_length(progress.total as u64);
+            bar.set_position(progress.done as u64);
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Takes the bar away, so that lines can be written.
+    pub(crate) fn hide(&mut self) {
+        if let Some(bar) = self.bar.take() {
+            bar.finish_and_clear();
+        }
+    }
+}

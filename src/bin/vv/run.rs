@@ -1,0 +1,95 @@
+//! A refinement under way: a mesh with its history and the selection that follows.
+
+use std::time::Instant;
+
+use vvmesh::certify::Certificate;
+use vvmesh::error::RefineError;
+use vvmesh::select::Selection;
+use vvmesh::scratch::Scratch;
+use vvmesh::step::{History, Keep};
+use vvmesh::subdivide::{Control, Step, Subdivider};
+use vvmesh::{Mesh, VertexId};
+
+use crate::report::{Row, Sizes, Totals};
+
+/// What all steps of a run share.
+pub(crate) struct Run {
+    pub(crate) mesh: Mesh,
+    pub(crate) history: History,
+    /// What is selected in the mesh as it is now.
+    pub(crate) selection: Selection,
+    pub(crate) scratch: Scratch,
+    pub(crate) levels: Vec<Row>,
+    subdivider: Subdivider,
+}
+
+impl Run {
+    pub(crate) fn new(mesh: Mesh, subdivider: Subdivider, keep: Keep) -> Self {
+        let history = History::new(&mesh, keep);
+        let (selection, scratch, levels) = (Selection::empty(), Scratch::new(), Vec::new());
+        Self { mesh, history, selection, scratch, levels, subdivider }
+    }
+
+    /// Makes one step for the selection, which then is the one that follows.
+    pub(crate) fn step(&mut self, control: &mut Control<'_>) -> Result<Step, RefineError> {
+        let started = Instant::now();
+        let step =
+            self.subdivider.step(&mut self.mesh, &mut self.history, &self.selection, &mut self.scratch, control)?;
+        let seconds = started.elapsed().as_secs_f64();
+        let sizes = self.sizes();
+        self.levels.push(Row {
+            level: self.next_level(),
+            selected: step.selected,
+            region: step.region,
+            split_edges: step.split_edges,
+            vertices: sizes.vertices,
+            edges: sizes.edges,
+            faces: sizes.faces,
+            t_vertices: step.t_vertices.len(),
+            o_vertices: step.o_vertices.len(),
+            max_valence: sizes.max_valence,
+            certified: step.certified,
+            seconds,
+        });
+        self.selection.clone_from(&step.selection);
+        Ok(step)
+    }
+
+    /// The level that the next step makes.
+    pub(crate) fn next_level(&self) -> u8 {
+        // There are at most 255 levels, as that is what can be asked for.
+        self.levels.last().map_or(1, |row| row.level.saturating_add(1))
+    }
+
+    /// The certificate, if it is kept.
+    pub(crate) fn certificate(&self) -> Option<Certificate<'_>> {
+        Certificate::new(&self.mesh, &self.history)
+    }
+
+    /// Whether a vertex is proven equal to uniform refinement; `false` without a certificate.
+    pub(crate) fn is_certified(&self, v: VertexId) -> bool {
+        self.certificate().is_some_and(|certificate| certificate.is_certified(v))
+    }
+
+    pub(crate) fn sizes(&self) -> Sizes {
+        Sizes {
+            vertices: self.mesh.vertex_count(),
+            edges: self.mesh.edge_count(),
+            faces: self.mesh.face_count(),
+            max_valence: self.history.max_valence(),
+        }
+    }
+
+    pub(crate) fn totals(&self) -> Totals {
+        let certified = match self.levels.last() {
+            Some(row) => row.certified,
+            None => self.certificate().map(|certificate| certificate.certified().count()),
+        };
+        Totals {
+            sizes: self.sizes(),
+            selected: self.selection.len(),
+            certified,
+            seconds: self.levels.iter().map(|row| row.seconds).sum(),
+        }
+    }
+}
