@@ -47,9 +47,9 @@ pub(crate) enum Command {
 Example:
   vv demo -o pictures
 
-The model is an open vase with a sharp edge. Three levels of Loop subdivision of one side of it are made by each method.
-DEVIATION is the greatest distance of a selected vertex from the vertex of the same name in the uniform mesh, as a part
-of the diagonal of the model: 0 says that not one bit differs.")]
+The model is an open vase with a sharp edge. Three levels of Loop subdivision of one side of it
+are made by each method. The deviation is the greatest distance of a selected vertex from its
+place in the uniform mesh, as a part of the diagonal of the model; 0: not one bit differs.")]
 pub(crate) struct DemoArguments {
     /// The folder for the meshes, made if it is not there
     #[arg(short = 'o', value_name = "DIR", default_value = "vv-demo")]
@@ -124,7 +124,7 @@ pub(crate) struct SelectArguments {
   vv subdivide spot.obj -o fine.obj --scheme loop --levels 3 --method incremental \\
       --select disk:0,4 --report report.json
 
-What stands at the end is written whole or not at all: nothing is touched if a level is refused or fails."))]
+Files are written whole or not at all, and none before the last level is made."))]
 pub(crate) struct SubdivideArguments {
     /// The mesh, OBJ or OFF
     #[arg(value_name = "MESH")]

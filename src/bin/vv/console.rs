@@ -5,7 +5,8 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-/// Why a command was refused or failed: a sentence for the user, and exit 2.
+/// Why a command was refused or failed: a sentence for the user, and exit 2. (It is no `Error` itself, so that it can be
+/// made of any.)
 #[derive(Debug)]
 pub(crate) struct Failure(pub(crate) String);
 

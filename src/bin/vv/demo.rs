@@ -79,7 +79,8 @@ pub(crate) fn run(arguments: &DemoArguments) -> Result<Outcome, Failure> {
     } else {
         print(&text(&demo, &model))?;
     }
-    let promised = |of: &Compared| of.conforming && (of.deviation == 0.0 || of.method == MethodName::Simple.to_string());
+    let promised =
+        |of: &Compared| of.conforming && (of.deviation == 0.0 || of.method == MethodName::Simple.to_string());
     Ok(if demo.methods.iter().all(promised) { Outcome::Done } else { Outcome::Found })
 }
 

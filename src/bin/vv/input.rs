@@ -41,8 +41,9 @@ pub(crate) fn read_mesh(path: &Path) -> Result<Mesh, Failure> {
         cut.clipped
     ));
     let FaceList { positions, .. } = faces;
-    Mesh::from_triangles(positions, &cut.triangles)
-        .map_err(|error| refused(&format_args!("after cutting polygons into triangles, which are counted here: {error}")))
+    Mesh::from_triangles(positions, &cut.triangles).map_err(|error| {
+        refused(&format_args!("after cutting polygons into triangles, which are counted here: {error}"))
+    })
 }
 
 /// An expression given with an option, and the files that it named.

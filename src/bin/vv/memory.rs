@@ -4,9 +4,9 @@ use sysinfo::{MemoryRefreshKind, System};
 
 use crate::console::{Failure, refuse};
 
-/// Bytes a face at the peak of a step, as measured with all that can be kept: mesh, history, the plan of the step, and
-/// what growing vectors leave free.
-const BYTES_A_FACE: u64 = 128;
+/// Bytes a face at the peak of a run. Up to 56 were measured, with all that can be kept; the rest is for rings longer than
+/// usual and for systems that copy what grows.
+const BYTES_A_FACE: u64 = 96;
 
 /// How many faces a run may make, and why.
 #[derive(Clone, Copy)]
@@ -47,7 +47,9 @@ impl FaceLimit {
                 bytes as f64 / (1_u64 << 30) as f64,
                 self.faces
             ),
-            None => format!("--max-faces allows {}; take fewer levels, a smaller selection or a higher limit", self.faces),
+            None => {
+                format!("--max-faces allows {}; take fewer levels, a smaller selection or a higher limit", self.faces)
+            }
         };
         format!("level {level} would have {needed} faces; {why}. Nothing was written")
     }

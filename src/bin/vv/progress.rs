@@ -10,6 +10,9 @@ use vvmesh::subdivide::Progress;
 /// Work that is done sooner shows no bar.
 const SHORT: Duration = Duration::from_secs(1);
 
+/// How often what is shown moves.
+const TICK: Duration = Duration::from_millis(100);
+
 /// The bar of one command, which appears when the work turns out to be long.
 pub(crate) struct Bar {
     started: Instant,
@@ -25,7 +28,7 @@ impl Bar {
 
     /// Shows how far a level is.
     pub(crate) fn show(&mut self, level: u8, progress: Progress) -> ControlFlow<()> {
-        if self.terminal && self.started.elapsed() > SHORT {
+        if self.is_shown() {
             let bar = self.bar.get_or_insert_with(|| {
                 let style = ProgressStyle::with_template("{msg} [{bar:40}] {percent}% of {len} positions");
                 ProgressBar::no_length().with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
@@ -37,10 +40,24 @@ impl Bar {
         ControlFlow::Continue(())
     }
 
+    /// Shows that something else is done, of which nobody knows how long it takes.
+    pub(crate) fn show_stage(&mut self, stage: String) {
+        self.hide();
+        if self.is_shown() {
+            let spinner = ProgressBar::new_spinner().with_message(stage);
+            spinner.enable_steady_tick(TICK);
+            self.bar = Some(spinner);
+        }
+    }
+
     /// Takes the bar away, so that lines can be written.
     pub(crate) fn hide(&mut self) {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
         }
+    }
+
+    fn is_shown(&self) -> bool {
+        self.terminal && self.started.elapsed() > SHORT
     }
 }

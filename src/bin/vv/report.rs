@@ -63,7 +63,18 @@ pub(crate) struct Report {
 /// The steps as a table for people.
 pub(crate) fn table(levels: &[Row]) -> Table {
     let mut table = Table::new(&[
-        "level", "selected", "region", "split", "vertices", "edges", "faces", "T", "O", "max valence", "certified", "time",
+        "level",
+        "selected",
+        "region",
+        "split",
+        "vertices",
+        "edges",
+        "faces",
+        "T",
+        "O",
+        "max valence",
+        "certified",
+        "time",
     ]);
     for row in levels {
         let counts = [row.selected, row.region, row.split_edges, row.vertices, row.edges, row.faces];

@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use vvmesh::certify::Certificate;
 use vvmesh::error::RefineError;
-use vvmesh::select::Selection;
 use vvmesh::scratch::Scratch;
+use vvmesh::select::Selection;
 use vvmesh::step::{History, Keep};
 use vvmesh::subdivide::{Control, Step, Subdivider};
 use vvmesh::{Mesh, VertexId};

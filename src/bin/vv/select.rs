@@ -48,7 +48,11 @@ pub(crate) fn run(arguments: &SelectArguments) -> Result<Outcome, Failure> {
         selected_vertices: indices(selection.vertices()),
         region_vertices: indices(region.vertices()),
     };
-    if arguments.json { print_json(&selected)? } else { print(&text(&selected))? }
+    if arguments.json {
+        print_json(&selected)?
+    } else {
+        print(&text(&selected))?
+    }
     Ok(Outcome::Done)
 }
 

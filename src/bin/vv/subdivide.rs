@@ -31,6 +31,7 @@ use crate::{input, sharp, tsv};
 const EXAMPLES: usize = 3;
 
 pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
+    let mut bar = Bar::new();
     let scheme = scheme(arguments);
     refuse_without_meaning(arguments, &scheme)?;
     let subdivider = subdivider(arguments, scheme)?;
@@ -46,13 +47,16 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let mut run = Run::new(mesh, subdivider, keep(arguments));
     let input = run.sizes();
     selecting.select(&mut run)?;
-    refine(&mut run, arguments, &selecting, limit)?;
+    refine(&mut run, arguments, &selecting, limit, &mut bar)?;
     if arguments.limit {
         move_to_limit(&mut run.mesh, weights(arguments))?;
     }
 
     let report = report(arguments, &run, input);
-    write(arguments, &run, &report)?;
+    bar.show_stage(format!("writing {}", arguments.output.display()));
+    let written = write(arguments, &run, &report);
+    bar.hide();
+    written?;
     if arguments.json {
         print(&json(&report)?)?;
     } else {
@@ -82,7 +86,8 @@ impl Selecting {
     fn select(&self, run: &mut Run) -> Result<(), Failure> {
         run.selection = input::evaluate(self.option, &self.expression, &run.mesh, &mut run.scratch)?;
         if run.selection.is_empty() {
-            note(format_args!("level {}: {} picks no vertex", run.next_level(), self.option));
+            let level = if self.each_level { format!("level {}: ", run.next_level()) } else { String::new() };
+            note(format_args!("{level}{} picks no vertex", self.option));
         }
         Ok(())
     }
@@ -173,7 +178,10 @@ fn tag(mesh: &mut Mesh, arguments: &SubdivideArguments) -> Result<(), Failure> {
     });
     if let Some(degrees) = arguments.sharp_angle {
         let sharp = sharp::by_angle(mesh, degrees);
-        note(format_args!("{} folded by more than {degrees} degrees, made sharp", count(sharp, "edge is", "edges are")));
+        note(format_args!(
+            "{} folded by more than {degrees} degrees, made sharp",
+            count(sharp, "edge is", "edges are")
+        ));
     }
     arguments.sharp.as_deref().map_or(Ok(()), |path| sharp::from_file(mesh, path))
 }
@@ -189,8 +197,13 @@ fn keep(arguments: &SubdivideArguments) -> Keep {
 }
 
 /// Makes all levels.
-fn refine(run: &mut Run, arguments: &SubdivideArguments, selecting: &Selecting, limit: FaceLimit) -> Result<(), Failure> {
-    let mut bar = Bar::new();
+fn refine(
+    run: &mut Run,
+    arguments: &SubdivideArguments,
+    selecting: &Selecting,
+    limit: FaceLimit,
+    bar: &mut Bar,
+) -> Result<(), Failure> {
     let reach = scheme(arguments).reach();
     for level in 1..=arguments.levels {
         if selecting.each_level && level > 1 {
