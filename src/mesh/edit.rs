@@ -1,4 +1,6 @@
 //! Local edits of a mesh: rings, positions and tags together, or nothing.
+//!
+//! **Deliberately not here**: where a new vertex should be. The caller says it.
 
 use glam::DVec3;
 

@@ -1,4 +1,6 @@
 //! Once round a ring from a chosen neighbour, in either direction.
+//!
+//! **Deliberately not here**: the way round a face; see [`RotationSystem::face`](super::RotationSystem::face).
 
 use std::iter::{FusedIterator, Rev};
 

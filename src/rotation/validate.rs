@@ -7,6 +7,8 @@
 //!
 //! Whatever the edits of this crate leave behind keeps the first three, and what is a [`Mesh`](crate::Mesh) all five. The
 //! check is for those who want to see it, and for tests.
+//!
+//! **Deliberately not here**: what is wrong with a list of faces, or with positions; see [`crate::check`].
 
 use super::reverse::ReverseSlots;
 use super::{Ring, RotationSystem};

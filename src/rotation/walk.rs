@@ -6,6 +6,8 @@
 //!
 //! An isolated vertex belongs to no face, loop or component, and no number here counts it. For all else
 //! V − E + F = 2·components − 2·genus − loops.
+//!
+//! **Deliberately not here**: walks that measure anything, and searches to a distance; see [`crate::query`].
 
 use std::iter::FusedIterator;
 
