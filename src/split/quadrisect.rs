@@ -15,6 +15,10 @@ use crate::rotation::{RingBuf, RotationSystem};
 use crate::scratch::Scratch;
 use crate::step::{History, Parent, Region, RegionKind};
 
+/// Up to this many neighbours are put into a ring one by one; for more the ring is made anew, or a long one would be moved
+/// along for each.
+const SINGLY: usize = 8;
+
 /// An edge that is split, with the slots at which each end stands in the ring of the other.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SplitEdge {
@@ -189,18 +193,41 @@ pub(crate) fn apply(
     // Only now, as the slots of the plan hold until here.
     let Closer { mut closing, insertions, .. } = closer;
     let mut slots = Slots::default();
-    let mut shifts: Vec<(VertexId, usize, VertexId)> =
+    let mut shifts: Vec<Shift> =
         insertions.into_iter().map(|(o, pred, x)| (o, slots.find(rotation, o, pred), x)).collect();
-    // From the back of each ring, so that slots in front stay what they were.
-    shifts.sort_unstable_by(|one, other| other.cmp(one));
-    for &(o, slot, x) in &shifts {
-        rotation.insert_after(o, slot, x);
+    shifts.sort_unstable();
+    for at_one in shifts.chunk_by(|one, other| one.0 == other.0) {
+        insert(rotation, at_one);
     }
-    closing.o_vertices = shifts.iter().rev().map(|&(o, ..)| o).collect();
+    closing.o_vertices = shifts.iter().map(|&(o, ..)| o).collect();
     closing.o_vertices.dedup();
     let grown = closing.o_vertices.iter().map(|&o| rotation.valence(o)).max().unwrap_or(0);
     closing.max_valence = closing.max_valence.max(grown);
     closing
+}
+
+/// (vertex, slot after which, new neighbour)
+type Shift = (VertexId, usize, VertexId);
+
+/// Puts new neighbours, ascending by slot, into the ring of one vertex. A slot has one at most: it stands for one face.
+fn insert(rotation: &mut RotationSystem, shifts: &[Shift]) {
+    let o = shifts[0].0;
+    if shifts.len() <= SINGLY {
+        // From the back, so that slots in front stay what they were.
+        for &(_, slot, x) in shifts.iter().rev() {
+            rotation.insert_after(o, slot, x);
+        }
+        return;
+    }
+    let ring = rotation.ring(o);
+    let mut after = shifts.iter().peekable();
+    let mut neighbors = Vec::with_capacity(ring.valence() + shifts.len());
+    for (slot, w) in ring.iter().enumerate() {
+        neighbors.push(w);
+        neighbors.extend(after.next_if(|shift| shift.1 == slot).map(|shift| shift.2));
+    }
+    let ring = if ring.is_open() { RingBuf::open(&neighbors) } else { RingBuf::closed(&neighbors) };
+    rotation.set_ring(o, ring);
 }
 
 struct Closer<D> {
