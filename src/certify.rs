@@ -58,17 +58,23 @@ impl<'a> Certificate<'a> {
     }
 
     /// The selected vertices for which one more step of a scheme with this reach is not proven exact, ascending: the
-    /// premise of incremental subdivision is broken there. O(neighbourhood of the selection).
+    /// premise of incremental subdivision is broken there. O(n log n) in the size n of the selection and its neighbours.
     #[must_use]
     pub fn unproven(&self, selection: &Selection, reach: Reach) -> Vec<VertexId> {
-        let proven = |v: VertexId| {
-            let alone = self.is_certified(v);
-            match reach {
-                Reach::Ends | Reach::OneStar => alone,
-                Reach::BothStars => alone && self.mesh.ring(v).iter().all(|w| self.is_certified(w)),
-            }
-        };
-        selection.vertices().iter().copied().filter(|&v| !proven(v)).collect()
+        let selected = selection.vertices();
+        if reach != Reach::BothStars {
+            return selected.iter().copied().filter(|&v| !self.is_certified(v)).collect();
+        }
+        // Each neighbour is judged once, however many selected vertices it has.
+        let mut near: Vec<VertexId> = selected.iter().flat_map(|&v| self.mesh.ring(v).iter().chain([v])).collect();
+        near.sort_unstable();
+        near.dedup();
+        near.retain(|&v| !self.is_certified(v));
+        if near.is_empty() {
+            return Vec::new();
+        }
+        let spoiled = |v: VertexId| near.binary_search(&v).is_ok();
+        selected.iter().copied().filter(|&v| spoiled(v) || self.mesh.ring(v).iter().any(spoiled)).collect()
     }
 }
 
