@@ -44,7 +44,8 @@ pub struct Progress {
 pub struct Control<'a> {
     /// How many faces the mesh may have after the step; `None` for any number.
     pub max_faces: Option<u64>,
-    /// Called after every 1024 new positions; answering [`ControlFlow::Break`] ends the step, and the mesh stays as it was.
+    /// Called before every 1024 new positions; answering [`ControlFlow::Break`] ends the step, and the mesh stays as it
+    /// was.
     pub progress: Option<&'a mut dyn FnMut(Progress) -> ControlFlow<()>>,
 }
 
@@ -130,6 +131,9 @@ impl Subdivider {
     /// A selected vertex that does not exist, more faces than [`Control::max_faces`], more vertices than 32-bit ids name,
     /// a 256th level, a position that is not finite, or the caller's wish to stop. The mesh and the history are then as
     /// before.
+    ///
+    /// # Panics
+    /// If the method's region names a vertex or an edge that the mesh does not have.
     ///
     /// # Complexity
     /// Time and extra space O(region and the rings next to it), whatever the size of the mesh.
