@@ -5,6 +5,7 @@
 pub mod load;
 pub mod random;
 pub mod run;
+pub mod step_model;
 
 use std::path::{Path, PathBuf};
 
