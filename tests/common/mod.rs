@@ -2,6 +2,8 @@
 
 #![allow(dead_code, unreachable_pub, reason = "each test file is a crate and uses a part")]
 
+#[cfg(feature = "cli")]
+pub mod desk;
 pub mod load;
 pub mod random;
 pub mod run;

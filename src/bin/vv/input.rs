@@ -23,7 +23,22 @@ pub(crate) fn read(path: &Path) -> Result<Loaded, Failure> {
 
 /// Reads a file and makes a mesh of it; polygons are cut into triangles, and that is told.
 pub(crate) fn read_mesh(path: &Path) -> Result<Mesh, Failure> {
-    let faces = read(path)?.faces;
+    mesh_of(path, read(path)?.faces)
+}
+
+/// As [`read_mesh`], for a mesh that is written again: what will be missing there is told.
+pub(crate) fn read_mesh_to_write(path: &Path) -> Result<Mesh, Failure> {
+    let loaded = read(path)?;
+    if !loaded.attributes.is_empty() {
+        note(format_args!(
+            "{}: only positions and faces are written again, not groups, materials, texture coordinates, normals or colours",
+            path.display()
+        ));
+    }
+    mesh_of(path, loaded.faces)
+}
+
+fn mesh_of(path: &Path, faces: FaceList) -> Result<Mesh, Failure> {
     let refused = |error: &dyn std::fmt::Display| Failure(format!("{}: {error}", path.display()));
     if faces.faces().all(|face| face.len() == 3) {
         return Mesh::from_face_list(&faces).map_err(|error| refused(&error));
