@@ -10,6 +10,7 @@ use crate::step::Region;
 ///
 /// The edges that close cracks stay and are refined with the rest, so the surface differs from that of uniform refinement
 /// from the second step on, and valences grow at the border of the selection. It is here to be compared with.
+/// Source: `[amresh2002]`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Simple;
 

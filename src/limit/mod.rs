@@ -36,8 +36,8 @@ const FLAT: f64 = 1e-12;
 /// assert!(limit.position(&mesh, v).length() < 1.0);
 /// ```
 ///
-/// Source: Loop 1987; Zorin & Schröder (eds.) 2000, Subdivision for modeling and animation; the boundary tangents belong to
-/// the plain boundary rules and were derived for them, as were the masks of darts.
+/// Source: `[loop1987]`, `[zorin2000]`; the boundary tangents belong to the plain boundary rules and were derived for them,
+/// as were the masks of darts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct LoopLimit {
     weights: LoopWeights,

@@ -4,7 +4,7 @@
 //! raw edits exist only here. They work on copies of the rings they touch; [`Transaction::commit`] judges these and puts
 //! them in place, and a transaction that is dropped, or even forgotten, has changed nothing.
 //!
-//! The names of the edits are those of the vv language of Smith, Prusinkiewicz and Samavati (2003).
+//! The names of the edits are those of the vv language. Source: `[smith2003]`.
 //!
 //! **Deliberately not here**: edits that keep the rings whole by themselves; they are methods of
 //! [`RotationSystem`] and cheaper.

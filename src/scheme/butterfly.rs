@@ -18,7 +18,7 @@ use crate::step::Parent;
 /// The limit is smooth but at vertices of valence 3 and of 8 and more; [`ModifiedButterfly`](super::ModifiedButterfly)
 /// mends that.
 ///
-/// Source: Dyn, Levin & Gregory 1990, A butterfly subdivision scheme, with tension w = 1/16.
+/// Source: `[dyn1990]`, with tension w = 1/16.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Butterfly;
 

@@ -17,12 +17,12 @@ const TABLED: usize = 32;
 pub enum LoopWeights {
     /// Loop's own: α(n) = (5/8 − (3/8 + cos(2π/n)/4)²) / n.
     ///
-    /// Source: Loop 1987, Smooth subdivision surfaces based on triangles.
+    /// Source: `[loop1987]`.
     #[default]
     Loop,
     /// Warren's simpler ones: 3/16 for n = 3, else 3/(8n).
     ///
-    /// Source: Warren & Weimer 2001, Subdivision methods for geometric design.
+    /// Source: `[warren2001]`.
     Warren,
 }
 
@@ -86,7 +86,7 @@ pub(crate) fn cos_of_turn(n: usize) -> f64 {
 /// assert_eq!((mask.weight_of(v), mask.sum()), (5.0 / 8.0, 1.0));
 /// ```
 ///
-/// Source: Loop 1987; Hoppe et al. 1994, Piecewise smooth surface reconstruction (features).
+/// Source: `[loop1987]`; features from `[hoppe1994]`.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Loop {
     weights: LoopWeights,

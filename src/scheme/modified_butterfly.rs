@@ -28,10 +28,8 @@ use crate::step::Parent;
 /// A curve ends at a dart and at a corner, tagged or not; there it is continued by reflection (p₋₁ = 2p₀ − p₁). Vertices
 /// that coincide on a small mesh get the sum of their weights.
 ///
-/// Source: Zorin, Schröder & Sweldens 1996, Interpolating subdivision for meshes with arbitrary topology; boundary rules
-/// from Zorin & Schröder (eds.) 2000, Subdivision for modeling and animation. The end of a curve is our decision. The
-/// extraordinary crease rule has −c₀ at the far crease neighbour: with the sign that is sometimes seen in programs its
-/// weights do not add to 1.
+/// Source: `[zorin1996]`, boundary rules from `[zorin2000]`. The end of a curve is our decision. The extraordinary crease
+/// rule has −c₀ at the far crease neighbour: with the sign that is sometimes seen in programs its weights do not add to 1.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct ModifiedButterfly;
 
