@@ -1,0 +1,29 @@
+//! Makes the drawings of the documentation: `cargo run --example drawings` writes them to `docs`.
+//!
+//! What they show is computed by the library: rings, disks, masks and steps, not lines put by hand. `tests/drawings.rs`
+//! fails when a committed file is not what this program makes.
+
+mod canvas;
+mod cover;
+mod sheet;
+mod steps;
+mod words;
+
+use std::error::Error;
+use std::path::Path;
+
+/// Every drawing: the name of its file, and the file.
+pub fn all() -> Result<Vec<(&'static str, String)>, Box<dyn Error>> {
+    let mut drawings = words::all();
+    drawings.extend(steps::all()?);
+    drawings.push(("cover", cover::cover()?));
+    Ok(drawings)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    for (name, drawing) in all()? {
+        std::fs::write(folder.join(name).with_extension("svg"), drawing)?;
+    }
+    Ok(())
+}
