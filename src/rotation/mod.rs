@@ -213,6 +213,13 @@ impl RotationSystem {
         Self { rings, entries, open }
     }
 
+    /// Takes the rings after a split of everything: every edge became two, every triangle four, every gap two.
+    pub(crate) fn replace_by_split(&mut self, rings: Vec<RingBuf>) {
+        self.entries = 2 * (2 * self.edge_count() + 3 * self.triangle_count());
+        self.open *= 2;
+        self.rings = rings;
+    }
+
     pub(crate) fn reserve(&mut self, additional: usize) {
         self.rings.reserve(additional);
     }

@@ -124,6 +124,11 @@ impl<'a> Ring<'a> {
     #[inline]
     #[must_use]
     pub fn slot_of(self, neighbor: VertexId) -> Option<usize> {
+        if let Ok(six) = <&[VertexId; 6]>::try_from(self.neighbors) {
+            // The regular case without a branch, as nothing foretells where the neighbour stands.
+            let found: usize = (0..6).map(|slot| if six[slot] == neighbor { slot + 1 } else { 0 }).sum();
+            return found.checked_sub(1);
+        }
         self.neighbors.iter().position(|&w| w == neighbor)
     }
 
@@ -132,6 +137,12 @@ impl<'a> Ring<'a> {
     #[must_use]
     pub fn contains(self, neighbor: VertexId) -> bool {
         self.slot_of(neighbor).is_some()
+    }
+
+    /// The neighbours of a regular inner vertex, whose number is then known when the program is built.
+    #[inline]
+    pub(crate) fn as_regular(self) -> Option<&'a [VertexId; INLINE]> {
+        if self.open { None } else { self.neighbors.try_into().ok() }
     }
 
     /// The slot after this one, or `None` across the gap.

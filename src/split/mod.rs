@@ -7,6 +7,9 @@
 
 mod diagonal;
 mod hubs;
+mod parents;
 pub(crate) mod quadrisect;
+pub(crate) mod whole;
 
 pub use diagonal::{Diagonal, Quad};
+pub(crate) use parents::Parents;

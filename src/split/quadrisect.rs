@@ -9,6 +9,7 @@
 
 use super::Quad;
 use super::hubs::Slots;
+use super::parents::{Direction, Parents};
 use crate::id::{Edge, VertexId};
 use crate::mesh::Neighborhood;
 use crate::rotation::{RingBuf, RotationSystem};
@@ -32,7 +33,7 @@ pub(crate) struct SplitEdge {
 impl SplitEdge {
     /// The edge with its opposite corners, in the rings before the step.
     #[inline]
-    pub(crate) fn parent(&self, around: Neighborhood<'_>) -> Parent {
+    fn parent(&self, around: Neighborhood<'_>) -> Parent {
         let ring = around.ring(self.p);
         let slot = self.slot_in_p as usize;
         let corner = |slot: Option<usize>| slot.map(|slot| ring.neighbors()[slot]);
@@ -63,12 +64,25 @@ impl Plan {
     }
 }
 
+impl Parents for Plan {
+    fn count(&self) -> usize {
+        self.edges.len()
+    }
+
+    fn try_for_each<E>(
+        &self,
+        around: Neighborhood<'_>,
+        mut visit: impl FnMut(Parent) -> Result<(), E>,
+    ) -> Result<(), E> {
+        self.edges.iter().try_for_each(|edge| visit(edge.parent(around)))
+    }
+}
+
 /// Reads what is to be split. O(edges at the vertices of the region).
 pub(crate) fn plan(rotation: &RotationSystem, history: &History, region: &Region, scratch: &mut Scratch) -> Plan {
     let mut planner = Planner {
         rotation,
-        history,
-        peers: 0..0,
+        direction: Direction::new(history),
         slots: Slots::default(),
         plan: Plan { first: rotation.vertex_count(), edges: Vec::new(), added_faces: 0 },
     };
@@ -91,9 +105,7 @@ pub(crate) fn plan(rotation: &RotationSystem, history: &History, region: &Region
 
 struct Planner<'a> {
     rotation: &'a RotationSystem,
-    history: &'a History,
-    /// The vertices made in the same step as the one at hand.
-    peers: std::ops::Range<usize>,
+    direction: Direction<'a>,
     slots: Slots,
     plan: Plan,
 }
@@ -126,33 +138,17 @@ impl Planner<'_> {
     #[inline]
     fn split(&mut self, v: VertexId, slot: usize) {
         let ring = self.rotation.ring(v);
-        let neighbors = ring.neighbors();
-        let w = neighbors[slot];
-        let corner = |slot: Option<usize>| slot.map(|slot| neighbors[slot]);
-        let (left, right) = (corner(ring.slot_after(slot)), corner(ring.slot_before(slot)));
+        let w = ring.neighbors()[slot];
+        let sides = [ring.slot_before(slot), ring.slot_after(slot)];
+        self.plan.added_faces += sides.into_iter().flatten().count();
+        let runs_down = self.direction.runs_down(ring, slot, [v, w]);
         let (slot, slot_in_w) = (slot as u32, self.slots.find(self.rotation, w, v) as u32);
-        self.plan.added_faces += usize::from(left.is_some()) + usize::from(right.is_some());
-        let edge = if self.runs_down(v, w, left, right) {
+        let edge = if runs_down {
             SplitEdge { p: w, q: v, slot_in_p: slot_in_w, slot_in_q: slot }
         } else {
             SplitEdge { p: v, q: w, slot_in_p: slot, slot_in_q: slot_in_w }
         };
         self.plan.edges.push(edge);
-    }
-
-    /// Whether the parent of the edge `v - w`, `v < w`, is read from `w` to `v`; the rule stands at [`Parent`].
-    ///
-    /// Ids grow from step to step, so the greater end can be the first only if both were made in the same step.
-    #[inline]
-    fn runs_down(&mut self, v: VertexId, w: VertexId, left: Option<VertexId>, right: Option<VertexId>) -> bool {
-        if !self.peers.contains(&v.index()) {
-            self.peers = self.history.peers(v);
-        }
-        if self.peers.start == 0 || w.index() >= self.peers.end {
-            return false;
-        }
-        let older = |corner: Option<VertexId>| corner.is_some_and(|corner| corner.index() < self.peers.start);
-        older(right) && !older(left)
     }
 }
 

@@ -82,6 +82,11 @@ impl History {
         self.names.is_some()
     }
 
+    /// Whether anything is kept of single vertices.
+    pub(crate) fn keeps_vertices(&self) -> bool {
+        self.names.is_some() || self.exactness.is_some()
+    }
+
     /// The level at which a vertex was made: 0 for an input vertex, else one more than the greater level of its parents.
     /// `None` if names are not kept.
     #[must_use]

@@ -11,24 +11,23 @@
 //! **Deliberately not here**: what is refined ([`crate::adaptive`]), weights ([`crate::scheme`]), rings
 //! ([`crate::split`]).
 
+mod positions;
+
 use std::ops::ControlFlow;
 
-use glam::DVec3;
+use positions::append_odd;
 
 use crate::adaptive::AdaptiveMethod;
 use crate::certify::{self, Certificate};
 use crate::error::RefineError;
 use crate::id::{Edge, VertexId};
-use crate::mesh::{Mesh, Neighborhood};
-use crate::scheme::{AnyScheme, MaskSink, Scheme, with_scheme};
+use crate::mesh::Mesh;
+use crate::scheme::{AnyScheme, with_scheme};
 use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::quadrisect::{self, Closing, Plan};
-use crate::split::{Diagonal, Quad};
+use crate::split::{Diagonal, Quad, whole};
 use crate::step::{History, Region};
-
-/// After how many new positions they are stored, and the caller is asked whether to go on.
-const BUFFERED: usize = 1 << 10;
 
 /// How far a step is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -50,7 +49,12 @@ pub struct Control<'a> {
 }
 
 impl Control<'_> {
-    fn allow(&self, needed: u64) -> Result<(), RefineError> {
+    /// Whether a step may leave so many vertices and add so many faces to those there are.
+    fn allow(&self, vertices: usize, faces: usize, added_faces: usize) -> Result<(), RefineError> {
+        if vertices > VertexId::MAX_INDEX + 1 {
+            return Err(RefineError::TooManyVertices { needed: vertices as u64 });
+        }
+        let needed = faces as u64 + added_faces as u64;
         match self.max_faces {
             Some(allowed) if needed > allowed => Err(RefineError::TooManyFaces { needed, allowed }),
             _ => Ok(()),
@@ -64,7 +68,7 @@ impl Control<'_> {
 }
 
 /// What a step did.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct Step {
     /// The selection that follows: the selected vertices and every new one between two of them.
     pub selection: Selection,
@@ -155,16 +159,48 @@ impl Subdivider {
             }
             _ => Vec::new(),
         };
-        let refined = self.refine(mesh, history, &region, scratch, control)?;
+        // The short way numbers and places everything alike, but does not say where the new vertices come from.
+        let told_apart = !selection.is_empty() && selection.len() < mesh.vertex_count();
+        let step = if region.is_everything() && !history.keeps_vertices() && !told_apart {
+            self.refine_whole(mesh, history, selection, control)?
+        } else {
+            self.refine(mesh, history, selection, &region, scratch, control)?
+        };
+        Ok(Step { unproven, ..step })
+    }
+
+    /// Refines the whole mesh; the selection is all of it, or nothing.
+    fn refine_whole(
+        &self,
+        mesh: &mut Mesh,
+        history: &mut History,
+        selection: &Selection,
+        control: &mut Control<'_>,
+    ) -> Result<Step, RefineError> {
+        let (old, new) = (mesh.vertex_count(), mesh.edge_count());
+        control.allow(old + new, mesh.face_count(), 3 * mesh.face_count())?;
+        let whole = whole::number(mesh.rotation(), history);
+        let moved = with_scheme!(&self.scheme, scheme => append_odd(scheme, mesh, (0..old).map(VertexId::new), &whole, control)?);
+
+        // From here on nothing can fail.
+        for (position, moved) in mesh.positions_mut().iter_mut().zip(moved) {
+            *position = moved;
+        }
+        let (rotation, _, tags) = mesh.parts_mut();
+        let mut sharp: Vec<(VertexId, Edge)> =
+            tags.sharp_edges().into_iter().map(|edge| (whole.on(rotation, edge), edge)).collect();
+        sharp.sort_unstable();
+        for (x, edge) in sharp {
+            tags.split(edge, x);
+        }
+        let max_valence = whole.apply(rotation);
+        history.record(old + new, std::iter::empty(), &[], max_valence);
         Ok(Step {
-            selection: follow(selection, &refined.plan, mesh.vertex_count(), scratch),
+            selection: if selection.is_empty() { Selection::empty() } else { Selection::all(old + new) },
             selected: selection.len(),
-            region: refined.moving,
-            split_edges: refined.plan.edges.len(),
-            t_vertices: refined.closing.t_vertices,
-            o_vertices: refined.closing.o_vertices,
-            certified: refined.certified,
-            unproven,
+            region: old,
+            split_edges: new,
+            ..Step::default()
         })
     }
 
@@ -173,23 +209,21 @@ impl Subdivider {
         &self,
         mesh: &mut Mesh,
         history: &mut History,
+        selection: &Selection,
         region: &Region,
         scratch: &mut Scratch,
         control: &mut Control<'_>,
-    ) -> Result<Refined, RefineError> {
+    ) -> Result<Step, RefineError> {
         if region.is_everything() {
-            control.allow(4 * mesh.face_count() as u64)?;
+            control.allow(mesh.vertex_count() + mesh.edge_count(), mesh.face_count(), 3 * mesh.face_count())?;
         }
         let plan = quadrisect::plan(mesh.rotation(), history, region, scratch);
-        let vertices_after = (plan.first + plan.edges.len()) as u64;
-        control.allow((mesh.face_count() + plan.added_faces) as u64)?;
-        if vertices_after > VertexId::MAX_INDEX as u64 + 1 {
-            return Err(RefineError::TooManyVertices { needed: vertices_after });
-        }
+        control.allow(plan.first + plan.edges.len(), mesh.face_count(), plan.added_faces)?;
         let levels = child_levels(history, &plan)?;
 
         let moving = region.vertices(mesh.vertex_count());
-        let moved = with_scheme!(&self.scheme, scheme => new_positions(scheme, mesh, &moving, &plan, control)?);
+        let moved =
+            with_scheme!(&self.scheme, scheme => append_odd(scheme, mesh, moving.iter().copied(), &plan, control)?);
 
         // From here on nothing can fail.
         let (reach, moves_even) = (self.scheme.reach(), self.scheme.moves_even());
@@ -210,15 +244,17 @@ impl Subdivider {
         });
         let made = levels.into_iter().zip(plan.edges.iter().map(quadrisect::SplitEdge::ends));
         history.record(mesh.vertex_count(), made, &closing.edges, closing.max_valence);
-        Ok(Refined { moving: moving.len(), plan, closing, certified })
+        Ok(Step {
+            selection: follow(selection, &plan, mesh.vertex_count(), scratch),
+            selected: selection.len(),
+            region: moving.len(),
+            split_edges: plan.edges.len(),
+            t_vertices: closing.t_vertices,
+            o_vertices: closing.o_vertices,
+            certified,
+            unproven: Vec::new(),
+        })
     }
-}
-
-struct Refined {
-    moving: usize,
-    plan: Plan,
-    closing: Closing,
-    certified: Option<usize>,
 }
 
 /// The levels of the new vertices; empty if names are not kept.
@@ -227,90 +263,6 @@ fn child_levels(history: &History, plan: &Plan) -> Result<Vec<u8>, RefineError> 
         return Ok(Vec::new());
     }
     plan.edges.iter().map(|edge| history.child_level(edge.ends())).collect()
-}
-
-/// Appends the positions of the new vertices and answers with those of the moved ones, which are not written yet.
-///
-/// Both are computed from the old positions. After an error the positions are as before.
-fn new_positions<S: Scheme>(
-    scheme: &S,
-    mesh: &mut Mesh,
-    moving: &[VertexId],
-    plan: &Plan,
-    control: &mut Control<'_>,
-) -> Result<Vec<DVec3>, RefineError> {
-    let (rotation, positions, tags) = mesh.parts_mut();
-    let around = Neighborhood::new(rotation, tags);
-    let computed = compute(scheme, around, positions, moving, plan, control);
-    if computed.is_err() {
-        positions.truncate(plan.first);
-    }
-    computed
-}
-
-fn compute<S: Scheme>(
-    scheme: &S,
-    around: Neighborhood<'_>,
-    positions: &mut Vec<DVec3>,
-    moving: &[VertexId],
-    plan: &Plan,
-    control: &mut Control<'_>,
-) -> Result<Vec<DVec3>, RefineError> {
-    let moving = if scheme.moves_even() { moving } else { &[] };
-    let total = moving.len() + plan.edges.len();
-    positions.reserve(plan.edges.len());
-    // A few at a time, as what is appended to can not be read from; the buffer stays in the cache.
-    let mut buffer = Vec::with_capacity(BUFFERED.min(plan.edges.len()));
-    for chunk in plan.edges.chunks(BUFFERED) {
-        control.report(positions.len() - plan.first, total)?;
-        for edge in chunk {
-            let mut sum = WeightedSum::new(positions);
-            scheme.odd(around, &edge.parent(around), &mut sum);
-            buffer.push(sum.finite(edge.ends()[0])?);
-        }
-        positions.append(&mut buffer);
-    }
-    let mut moved = Vec::with_capacity(moving.len());
-    for chunk in moving.chunks(BUFFERED) {
-        control.report(plan.edges.len() + moved.len(), total)?;
-        for &v in chunk {
-            let mut sum = WeightedSum::new(positions);
-            scheme.even(around, v, &mut sum);
-            moved.push(sum.finite(v)?);
-        }
-    }
-    Ok(moved)
-}
-
-/// A mask applied to positions as it comes, group by group.
-struct WeightedSum<'a> {
-    positions: &'a [DVec3],
-    /// `None` before the first group, as 0 + (-0) is not -0.
-    total: Option<DVec3>,
-}
-
-impl<'a> WeightedSum<'a> {
-    #[inline]
-    fn new(positions: &'a [DVec3]) -> Self {
-        Self { positions, total: None }
-    }
-
-    /// The sum, or the error that it is not finite, for which the vertex to blame is named.
-    #[inline]
-    fn finite(self, v: VertexId) -> Result<DVec3, RefineError> {
-        self.total.filter(|total| total.is_finite()).ok_or(RefineError::NonFinite(v))
-    }
-}
-
-impl MaskSink for WeightedSum<'_> {
-    #[inline]
-    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = VertexId>) {
-        let group = vertices.into_iter().map(|v| self.positions[v.index()]).reduce(|sum, position| sum + position);
-        if let Some(group) = group {
-            let group = weight * group;
-            self.total = Some(self.total.map_or(group, |total| total + group));
-        }
-    }
 }
 
 /// Splits rings and tags; positions are those after the step.
