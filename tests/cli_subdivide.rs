@@ -215,6 +215,16 @@ fn polygons_are_cut_and_it_is_told() {
 }
 
 #[test]
+fn what_is_not_carried_over_is_told() {
+    let desk = Desk::new();
+    let refine = "-o o.obj --scheme loop --levels 1 --method uniform";
+    assert_eq!(desk.done(&format!("subdivide grid.obj {refine}")).err, "");
+    desk.write("named.obj", format!("o grid\n{}", desk.read("grid.obj")));
+    let told = desk.done(&format!("subdivide named.obj {refine}")).err;
+    assert!(told.starts_with("note: named.obj: only positions and faces are written again"), "{told}");
+}
+
+#[test]
 fn tag_lines_are_told_and_ignored() {
     let desk = Desk::new();
     desk.write("tagged.obj", format!("{}t crease 2/1/0 8 14 inf\n", desk.read("grid.obj")));
@@ -408,6 +418,7 @@ fn the_input_may_be_replaced_on_purpose() {
 }
 
 #[cfg(unix)]
+#[allow(clippy::print_stderr, reason = "a test that is skipped must say so")]
 #[test]
 fn what_is_write_protected_stays() {
     use std::os::unix::fs::PermissionsExt;

@@ -38,7 +38,7 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let selecting = Selecting::new(arguments)?;
     check_outputs(arguments, &selecting)?;
 
-    let mut mesh = input::read_mesh(&arguments.mesh)?;
+    let mut mesh = input::read_mesh_to_write(&arguments.mesh)?;
     tag(&mut mesh, arguments)?;
     let limit = FaceLimit::new(arguments.max_faces);
     if arguments.method == MethodName::Uniform {
@@ -178,10 +178,7 @@ fn tag(mesh: &mut Mesh, arguments: &SubdivideArguments) -> Result<(), Failure> {
     });
     if let Some(degrees) = arguments.sharp_angle {
         let sharp = sharp::by_angle(mesh, degrees);
-        note(format_args!(
-            "{} folded by more than {degrees} degrees, made sharp",
-            count(sharp, "edge is", "edges are")
-        ));
+        note(format_args!("{} sharp, folded by more than {degrees} degrees", count(sharp, "edge is", "edges are")));
     }
     arguments.sharp.as_deref().map_or(Ok(()), |path| sharp::from_file(mesh, path))
 }
