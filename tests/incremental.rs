@@ -212,6 +212,35 @@ fn closing_keeps_its_distance_and_valences_stay_bounded() {
     check(12, 40, closing_keeps_its_distance::<WithBoundary> as fn(WithBoundary, Picks));
 }
 
+/// Levels of faces: those that share a vertex differ by one at most, and each face is the share of an input face that its
+/// level says, half of it if it closes a crack.
+fn levels_are_balanced<S: Surface>(surface: S, picks: Picks) {
+    let mesh = surface.mesh();
+    for rings in 1..=2 {
+        let subdivider = incremental(&Midpoint.into(), rings);
+        let (mut run, mut selection) = (Run::new(&mesh), picks.patch(&mesh));
+        for level in 1..=LEVELS {
+            selection = run.step(&subdivider, &selection).selection;
+            let closing = run.history.closing_edges(&run.mesh).unwrap();
+            let level_of = |triangle| run.history.face_level(triangle, &closing).unwrap();
+            for v in run.mesh.vertices() {
+                let levels = run.mesh.rotation().triangles_around(v).map(|triangle| level_of(triangle).0);
+                let (least, greatest) = (levels.clone().min().unwrap_or(0), levels.max().unwrap_or(0));
+                assert!(greatest - least <= 1, "r {rings}, level {level}: {least} and {greatest} at {v}");
+            }
+            let share = |(level, closes): (u8, bool)| 0.25_f64.powi(level.into()) * if closes { 0.5 } else { 1.0 };
+            let sum: f64 = run.mesh.triangles().map(|triangle| share(level_of(triangle))).sum();
+            assert_eq!(sum, mesh.face_count() as f64, "r {rings}, level {level}");
+        }
+    }
+}
+
+#[test]
+fn levels_of_faces_are_balanced() {
+    check(14, 15, levels_are_balanced::<Closed> as fn(Closed, Picks));
+    check(15, 15, levels_are_balanced::<WithBoundary> as fn(WithBoundary, Picks));
+}
+
 /// Without rings an O-vertex gets as many neighbours as it has split ones, again at each level.
 fn valences_double_without_rings(surface: Closed, picks: Picks) {
     let mesh = surface.mesh();
