@@ -367,3 +367,48 @@ impl<D: Fn(Quad, &RotationSystem) -> usize> Closer<D> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shapes;
+    use crate::step::Keep;
+
+    fn ids(indices: &[usize]) -> Vec<VertexId> {
+        indices.iter().copied().map(VertexId::new).collect()
+    }
+
+    /// The rotation of a shape with the edges between these vertices split.
+    fn split(mesh: &crate::Mesh, vertices: &[usize]) -> (RotationSystem, Closing) {
+        let mut rotation = mesh.rotation().clone();
+        let history = History::new(mesh, Keep::default());
+        let plan = plan(&rotation, &history, &Region::induced(ids(vertices)), &mut Scratch::new());
+        let closing = apply(&mut rotation, &plan, |_, _| unreachable!("no face has two split edges"));
+        (rotation, closing)
+    }
+
+    /// Two triangles 0 1 3 and 0 3 2; the vertices are those of a unit square.
+    #[test]
+    fn one_triangle_is_split_and_the_next_closed() {
+        let (rotation, closing) = split(&shapes::grid(1, 1), &[0, 1, 3]);
+        // In the ring of 0 the neighbours are 1, 3, 2: so 4 lies on 0-1, 5 on 0-3, 6 on 1-3.
+        let rings: Vec<Vec<VertexId>> = rotation.vertices().map(|v| rotation.neighbors(v).to_vec()).collect();
+        let expected: [&[usize]; 7] =
+            [&[4, 5, 2], &[6, 4], &[0, 5, 3], &[2, 5, 6], &[1, 6, 5, 0], &[0, 4, 6, 3, 2], &[3, 5, 4, 1]];
+        assert_eq!(rings, expected.map(ids));
+        assert_eq!((closing.t_vertices, closing.o_vertices), (ids(&[5]), ids(&[2])));
+        assert_eq!(closing.edges, [Edge::new(VertexId::new(2), VertexId::new(5))]);
+        assert_eq!(closing.max_valence, 5);
+    }
+
+    /// The twelve corners of an icosahedron but one: that one gets a neighbour for each of its faces.
+    #[test]
+    fn an_opposite_vertex_gets_a_neighbour_for_each_face() {
+        let mesh = shapes::icosahedron();
+        let o = VertexId::new(11);
+        let (rotation, closing) = split(&mesh, &(0..11).collect::<Vec<_>>());
+        let old: Vec<VertexId> = rotation.neighbors(o).iter().copied().step_by(2).collect();
+        assert_eq!((old, rotation.valence(o)), (mesh.ring(o).neighbors().to_vec(), 10));
+        assert_eq!((closing.o_vertices, closing.t_vertices.len(), closing.max_valence), (vec![o], 5, 10));
+    }
+}

@@ -93,3 +93,24 @@ impl Exactness {
         self.records.capacity() * size_of::<Record>()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_hold_until_even_vertices_move() {
+        let v = VertexId::new(0);
+        let mut exactness = Exactness::new(1);
+        let mut held = Vec::new();
+        for moves_even in [false, true, false] {
+            held.push([Proof::Position, Proof::Rotation, Proof::Star].map(|proof| exactness.holds(proof, v)));
+            exactness.advance(1, moves_even);
+        }
+        held.push([Proof::Position, Proof::Rotation, Proof::Star].map(|proof| exactness.holds(proof, v)));
+        assert_eq!(held, [[true, true, false], [true, false, false], [false; 3], [false; 3]]);
+        exactness.show(Proof::Position, v);
+        exactness.advance(2, false);
+        assert!(exactness.holds(Proof::Position, v) && !exactness.holds(Proof::Position, VertexId::new(1)));
+    }
+}
