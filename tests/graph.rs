@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "a test that panics has failed")]
 #![allow(clippy::print_stderr, reason = "shown only if a test fails: which mesh it was")]
 
-#[allow(unreachable_pub, reason = "every test file is a crate of its own")]
 mod common;
 
 use std::collections::{HashMap, HashSet};

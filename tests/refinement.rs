@@ -18,9 +18,9 @@ use vvmesh::scheme::{AnyScheme, Loop, Midpoint};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
 use vvmesh::split::Diagonal;
-use vvmesh::step::Region;
-use vvmesh::subdivide::{Control, Progress, Subdivider};
-use vvmesh::{Edge, Mesh, VertexId, shapes};
+use vvmesh::step::{History, Keep, Region};
+use vvmesh::subdivide::{Control, Progress, Step, Subdivider};
+use vvmesh::{Edge, Mesh, Triangle, VertexId, shapes};
 
 const DIAGONALS: [Diagonal; 4] = [Diagonal::Valence, Diagonal::Longest, Diagonal::Shortest, Diagonal::ById];
 
@@ -482,6 +482,53 @@ fn a_region_of_everything_is_uniform() {
             assert_eq!(region.bits(), uniform.bits());
         }
     }
+}
+
+/// Without names and certificate a whole mesh is split without a plan: the same bits, counts and valences, and errors.
+fn whole_meshes_are_split_alike<S: Surface>(surface: S, nothing: bool) {
+    let base = surface.mesh();
+    for (name, scheme) in schemes() {
+        let uniform = Subdivider::new(scheme, Uniform);
+        let (mut planned, mut whole) = (Run::new(&base), Run::new(&base));
+        whole.history = History::new(&base, Keep::default());
+        for _ in 0..3 {
+            let count = base.vertex_count().max(planned.mesh.vertex_count());
+            let selection = if nothing { Selection::empty() } else { Selection::all(count) };
+            let faces = planned.mesh.face_count() as u64;
+            let mut tight = Control { max_faces: Some(4 * faces - 1), ..Control::default() };
+            let refused =
+                uniform.step(&mut whole.mesh, &mut whole.history, &selection, &mut Scratch::new(), &mut tight);
+            assert_eq!(refused, Err(RefineError::TooManyFaces { needed: 4 * faces, allowed: 4 * faces - 1 }));
+            let expected = planned.step(&uniform, &selection);
+            let step = whole.step(&uniform, &selection);
+            assert_eq!(whole.bits(), planned.bits(), "{name}");
+            assert_eq!(step, Step { certified: None, ..expected });
+            assert_eq!(whole.history.max_valence(), planned.history.max_valence());
+            let counts = |run: &Run| (run.mesh.edge_count(), run.mesh.face_count(), run.mesh.vertex_count());
+            assert_eq!(counts(&whole), counts(&planned));
+            assert_eq!(whole.mesh.rotation().boundary_edge_count(), planned.mesh.rotation().boundary_edge_count());
+        }
+    }
+}
+
+#[test]
+fn a_whole_mesh_without_names_is_split_alike() {
+    check(61, 6, whole_meshes_are_split_alike::<Closed> as fn(Closed, bool));
+    check(62, 6, whole_meshes_are_split_alike::<WithBoundary> as fn(WithBoundary, bool));
+    // With the hubs last, the edges to them stand in their rings at slots beyond what is remembered.
+    let spindle = spindle(300);
+    let last = spindle.vertex_count() as u32 - 1;
+    let positions = spindle.positions().iter().rev().copied().collect();
+    let turned = |triangle: Triangle| triangle.corners().map(|v| last - v.index() as u32);
+    let spindle = Mesh::from_triangles(positions, &spindle.triangles().map(turned).collect::<Vec<_>>()).unwrap();
+    let uniform = Subdivider::new(Loop::default(), Uniform);
+    let (mut planned, mut whole) = (Run::new(&spindle), Run::new(&spindle));
+    whole.history = History::new(&whole.mesh, Keep::default());
+    for run in [&mut planned, &mut whole] {
+        run.step(&uniform, &Selection::empty());
+        run.step(&uniform, &Selection::empty());
+    }
+    assert_eq!(whole.bits(), planned.bits());
 }
 
 /// Ten levels around one vertex: each step costs the same few faces.

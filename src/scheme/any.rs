@@ -4,6 +4,7 @@ use super::{Butterfly, Loop, Midpoint, ModifiedButterfly, Reach, Scheme};
 
 /// One of the schemes. The pipeline tells them apart once a step; inside a step everything is static.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "a run has one, and a table at hand is faster")]
 pub enum AnyScheme {
     /// [`Loop`].
     Loop(Loop),
