@@ -1,4 +1,117 @@
 //! Adaptive subdivision of triangle meshes on a graph rotation system.
+//!
+//! A region of a mesh is refined in place, the mesh stays conforming, and with the method [`Incremental`] the surface over
+//! the region is that of refining everything, bit for bit.
+//!
+//! # Tour
+//!
+//! A [`Mesh`] is a [`RotationSystem`], which holds for every vertex the ring of its neighbours, with a position for each vertex
+//! and tags for sharp edges and corners. It is read from a file ([`io`]), built from triangles ([`Mesh::from_triangles`]), or
+//! one of the [`shapes`].
+//!
+//! ```
+//! use vvmesh::{VertexId, shapes};
+//! let mesh = shapes::icosahedron();
+//! let v = VertexId::new(0);
+//! assert_eq!(mesh.ring(v).valence(), 5);
+//! assert_eq!(mesh.rotation().triangles_around(v).len(), 5);
+//! ```
+//!
+//! A [`Criterion`] makes a [`Selection`] of vertices. A [`Subdivider`] is a [scheme](scheme) with an [adaptive
+//! method](adaptive); each of its steps refines the region that the method chooses for a selection, and answers with the
+//! selection that follows. What is remembered between steps is a [`History`] that the caller holds.
+//!
+//! ```
+//! use vvmesh::adaptive::Incremental;
+//! use vvmesh::certify::Certificate;
+//! use vvmesh::scheme::Loop;
+//! use vvmesh::scratch::Scratch;
+//! use vvmesh::select::{Criterion, Disk};
+//! use vvmesh::step::{History, Keep};
+//! use vvmesh::subdivide::{Control, Subdivider};
+//! use vvmesh::{VertexId, check, shapes};
+//!
+//! let mut mesh = shapes::torus(12, 8, 2.0, 1.0);
+//! let mut scratch = Scratch::new();
+//! let mut history = History::new(&mesh, Keep { certificate: true, ..Keep::default() });
+//! let mut selection = Disk::new(VertexId::new(0), 1).select(&mesh, &mut scratch)?;
+//! let subdivider = Subdivider::new(Loop::default(), Incremental::new(1)?);
+//! for _level in 0..2 {
+//!     let step = subdivider.step(&mut mesh, &mut history, &selection, &mut scratch, &mut Control::default())?;
+//!     selection = step.selection;
+//! }
+//! let certificate = Certificate::new(&mesh, &history).expect("it was asked for");
+//! assert!(selection.vertices().iter().all(|&v| certificate.is_certified(v)));
+//! assert!(check::mesh_conformity(&mesh, None).is_conforming());
+//! # Ok::<(), vvmesh::error::Error>(())
+//! ```
+//!
+//! Then: [`query`] (stars, disks, areas, angles, normals), [`graph`] (petgraph's algorithms on the rings), [`limit`] (where
+//! infinitely many steps lead), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and
+//! transactions), [`soup`] (faces that are no mesh yet).
+//!
+//! # Features
+//!
+//! `cli` (default): what the binary `vv` needs. The library is the same without it.
+//!
+//! # Glossary
+//!
+//! Each word has one meaning in all of the documentation.
+//!
+//! **Rotation system, ring**: for every vertex the circular list of its neighbours, counter-clockwise seen from outside; a
+//! place in a ring is a slot.
+#![doc = include_str!("../docs/ring.svg")]
+//!
+//! **Next, prev, splice**: the neighbour after and before a given one; to insert one after or before a given one.
+#![doc = include_str!("../docs/splice.svg")]
+//!
+//! **Valence**: the number of neighbours; *regular* is 6 inside and 4 on a boundary.
+#![doc = include_str!("../docs/valence.svg")]
+//!
+//! **One-ring, r-ring, r-disk**: the neighbours; the vertices at a distance of exactly r edges; those of at most r.
+#![doc = include_str!("../docs/disk.svg")]
+//!
+//! **Star, link**: a vertex with the edges and triangles at it; the edges opposite to it, a cycle, at a boundary a path.
+#![doc = include_str!("../docs/star.svg")]
+//!
+//! **Directed edge**: a name (from, to), elsewhere called dart or half-edge; its triangle lies on the left. Nothing is stored
+//! for it.
+#![doc = include_str!("../docs/directed-edge.svg")]
+//!
+//! **Boundary**: edges with one triangle, and vertices with an *open* ring, which is kept from the gap on.
+#![doc = include_str!("../docs/boundary.svg")]
+//!
+//! **Crease, corner, dart**: a chain of sharp edges; a vertex with three or more of them, or tagged; the end of one crease.
+#![doc = include_str!("../docs/features.svg")]
+//!
+//! **Even, odd vertex**: inherited from before the step; made in this step.
+#![doc = include_str!("../docs/even-odd.svg")]
+//!
+//! **Split, scheme, mask, support**: the topological rule; a split with masks; the weights of one new position; the vertices
+//! that have one.
+#![doc = include_str!("../docs/mask.svg")]
+//!
+//! **Region, frontier**: what a step refines; the edges between it and the rest.
+#![doc = include_str!("../docs/region.svg")]
+//!
+//! **T-vertex, O-vertex**: an odd vertex on an edge whose other triangle was not refined; the old vertex opposite to it, to
+//! which closing the crack adds a neighbour.
+#![doc = include_str!("../docs/closing.svg")]
+//!
+//! **Level, depth**: how many steps made a vertex or a mesh; how often a triangle was refined.
+#![doc = include_str!("../docs/levels.svg")]
+//!
+//! **Conforming**: what two triangles share is nothing, a vertex or a whole edge; every edge has one or two triangles, whose
+//! orientations agree.
+#![doc = include_str!("../docs/conforming.svg")]
+//!
+//! **Deliberately not here**: repairing what is no mesh, rendering, quads, and meshes in more than one thread at a time.
+//!
+//! [`Incremental`]: adaptive::Incremental
+//! [`Criterion`]: select::Criterion
+//! [`Selection`]: select::Selection
+//! [`Subdivider`]: subdivide::Subdivider
+//! [`History`]: step::History
 
 pub mod adaptive;
 pub mod angle;
@@ -28,3 +141,8 @@ pub use angle::Angle;
 pub use id::{DirectedEdge, Edge, Triangle, VertexId};
 pub use mesh::Mesh;
 pub use rotation::{Ring, RotationSystem};
+
+/// The code in the README is tested with the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,73 @@
+//! How long does uniform refinement take for each face of the result?
+//!
+//! A torus of 5,120 triangles is refined to 1.3 million by four steps. Beside it stand plain copies of as many bytes as the
+//! result holds: into fresh memory, whose pages the system has to provide first, as it has for a growing mesh, and into
+//! memory that was touched before.
+
+use std::hint::black_box;
+
+use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use vvmesh::adaptive::Uniform;
+use vvmesh::scheme::{AnyScheme, Butterfly, Loop, Midpoint, ModifiedButterfly};
+use vvmesh::scratch::Scratch;
+use vvmesh::select::Selection;
+use vvmesh::step::{History, Keep};
+use vvmesh::subdivide::{Control, Subdivider};
+use vvmesh::{Mesh, shapes};
+
+const STEPS: u32 = 4;
+
+fn refined(subdivider: &Subdivider, mut mesh: Mesh) -> Mesh {
+    let mut history = History::new(&mesh, Keep::default());
+    let (mut scratch, mut control) = (Scratch::new(), Control::default());
+    for _ in 0..STEPS {
+        subdivider
+            .step(&mut mesh, &mut history, &Selection::empty(), &mut scratch, &mut control)
+            .expect("a torus can be refined");
+    }
+    mesh
+}
+
+fn uniform(criterion: &mut Criterion) {
+    let coarse = shapes::torus(80, 32, 2.0, 1.0);
+    let faces = coarse.face_count() * 4_usize.pow(STEPS);
+    let mut group = criterion.benchmark_group("uniform");
+    group.throughput(Throughput::Elements(faces as u64)).sample_size(10);
+
+    let schemes: [(&str, AnyScheme); 4] = [
+        ("loop", Loop::default().into()),
+        ("butterfly", Butterfly.into()),
+        ("modified-butterfly", ModifiedButterfly.into()),
+        ("midpoint", Midpoint.into()),
+    ];
+    for (name, scheme) in schemes {
+        let subdivider = Subdivider::new(scheme, Uniform);
+        group.bench_function(BenchmarkId::new(name, faces), |bencher| {
+            bencher.iter_batched(|| coarse.clone(), |mesh| refined(&subdivider, mesh), BatchSize::PerIteration);
+        });
+    }
+
+    let result = refined(&Subdivider::new(Loop::default(), Uniform), coarse.clone());
+    assert_eq!(result.face_count(), faces);
+    let rings = result.rotation().memory_bytes();
+    println!(
+        "uniform/memory: {faces} faces, {:.1} bytes a vertex for the rings, {:.1} with positions",
+        rings as f64 / result.vertex_count() as f64,
+        result.memory_bytes() as f64 / result.vertex_count() as f64
+    );
+    let bytes = vec![1_u8; result.memory_bytes()];
+    group.bench_function(BenchmarkId::new("copy-fresh", faces), |bencher| {
+        bencher.iter_with_large_drop(|| black_box(&bytes).clone());
+    });
+    let mut touched = bytes.clone();
+    group.bench_function(BenchmarkId::new("copy-touched", faces), |bencher| {
+        bencher.iter(|| {
+            touched.copy_from_slice(black_box(&bytes));
+            black_box(&mut touched);
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, uniform);
+criterion_main!(benches);
