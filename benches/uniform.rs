@@ -4,6 +4,8 @@
 //! result holds: into fresh memory, whose pages the system has to provide first, as it has for a growing mesh, and into
 //! memory that was touched before.
 
+#![allow(clippy::print_stdout, reason = "the memory is told beside the times")]
+
 use std::hint::black_box;
 
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};

@@ -2,8 +2,8 @@
 //!
 //! Two facts are carried for every vertex, both true of the input mesh: *position*, it is where uniform refinement of the
 //! same depth has it, and *rotation*, its neighbours have the same names in the same order. A vertex is **certified** if
-//! both hold for it and *position* holds for its neighbours. One step hands the facts on by the rules of [`before`] and
-//! [`after`], which are sound for any sequence of regions. Source: `[incremental]`, the proof of exactness, made local.
+//! both hold for it and *position* holds for its neighbours. One step hands the facts on by the rules of `before` and
+//! `after`, which are sound for any sequence of regions. Source: `[incremental]`, the proof of exactness, made local.
 //!
 //! What is not certified may be equal all the same; [`Certificate::cause`] tells what the proof broke at.
 //!

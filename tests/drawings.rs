@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-#[allow(dead_code, reason = "its main function writes the files and is not called here")]
+#[allow(dead_code, unreachable_pub, reason = "a program of its own, whose main is not called here")]
 #[path = "../examples/drawings/main.rs"]
 mod drawings;
 

@@ -1,6 +1,6 @@
 //! The topology of refinement: what is split, in which order new vertices are numbered, and how cracks are closed.
 //!
-//! A step is [`plan`](quadrisect::plan) (reads only), then [`apply`](quadrisect::apply) (rewrites rings in place). It
+//! A step is a plan, which only reads, and its application, which rewrites rings in place. It
 //! sees no coordinate; where a choice may depend on one, in faces with two split edges, the caller decides.
 //!
 //! **Deliberately not here**: positions, tags, weights.
