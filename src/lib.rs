@@ -60,49 +60,63 @@
 //!
 //! **Rotation system, ring**: for every vertex the circular list of its neighbours, counter-clockwise seen from outside; a
 //! place in a ring is a slot.
+//!
 #![doc = include_str!("../docs/ring.svg")]
 //!
 //! **Next, prev, splice**: the neighbour after and before a given one; to insert one after or before a given one.
+//!
 #![doc = include_str!("../docs/splice.svg")]
 //!
 //! **Valence**: the number of neighbours; *regular* is 6 inside and 4 on a boundary.
+//!
 #![doc = include_str!("../docs/valence.svg")]
 //!
 //! **One-ring, r-ring, r-disk**: the neighbours; the vertices at a distance of exactly r edges; those of at most r.
+//!
 #![doc = include_str!("../docs/disk.svg")]
 //!
 //! **Star, link**: a vertex with the edges and triangles at it; the edges opposite to it, a cycle, at a boundary a path.
+//!
 #![doc = include_str!("../docs/star.svg")]
 //!
 //! **Directed edge**: a name (from, to), elsewhere called dart or half-edge; its triangle lies on the left. Nothing is stored
 //! for it.
+//!
 #![doc = include_str!("../docs/directed-edge.svg")]
 //!
 //! **Boundary**: edges with one triangle, and vertices with an *open* ring, which is kept from the gap on.
+//!
 #![doc = include_str!("../docs/boundary.svg")]
 //!
 //! **Crease, corner, dart**: a chain of sharp edges; a vertex with three or more of them, or tagged; the end of one crease.
+//!
 #![doc = include_str!("../docs/features.svg")]
 //!
 //! **Even, odd vertex**: inherited from before the step; made in this step.
+//!
 #![doc = include_str!("../docs/even-odd.svg")]
 //!
 //! **Split, scheme, mask, support**: the topological rule; a split with masks; the weights of one new position; the vertices
 //! that have one.
+//!
 #![doc = include_str!("../docs/mask.svg")]
 //!
 //! **Region, frontier**: what a step refines; the edges between it and the rest.
+//!
 #![doc = include_str!("../docs/region.svg")]
 //!
 //! **T-vertex, O-vertex**: an odd vertex on an edge whose other triangle was not refined; the old vertex opposite to it, to
 //! which closing the crack adds a neighbour.
+//!
 #![doc = include_str!("../docs/closing.svg")]
 //!
 //! **Level, depth**: how many steps made a vertex or a mesh; how often a triangle was refined.
+//!
 #![doc = include_str!("../docs/levels.svg")]
 //!
 //! **Conforming**: what two triangles share is nothing, a vertex or a whole edge; every edge has one or two triangles, whose
 //! orientations agree.
+//!
 #![doc = include_str!("../docs/conforming.svg")]
 //!
 //! **Deliberately not here**: repairing what is no mesh, rendering, quads, and meshes in more than one thread at a time.
