@@ -15,7 +15,11 @@ const INLINE: usize = 6;
 pub(crate) struct RingBuf(SmallVec<[VertexId; INLINE]>);
 
 impl RingBuf {
+    #[inline]
     pub(crate) fn from_ring(ring: Ring<'_>) -> Self {
+        if let Some(&six) = ring.as_regular() {
+            return Self::regular(six);
+        }
         let mut buf = Self(SmallVec::from_slice(ring.neighbors));
         if ring.open {
             buf.0.push(VertexId::GAP);
@@ -181,6 +185,13 @@ impl<'a> Ring<'a> {
     #[inline]
     pub(crate) fn ahead(self, slot: usize) -> Option<VertexId> {
         self.slot_before(slot).map(|slot| self.neighbors[slot])
+    }
+
+    /// The neighbours after and before the one at a slot: the third corners of the triangles left and right of the edge to
+    /// it.
+    #[inline]
+    pub(crate) fn corners_at(self, slot: usize) -> [Option<VertexId>; 2] {
+        [self.slot_after(slot), self.slot_before(slot)].map(|slot| slot.map(|slot| self.neighbors[slot]))
     }
 
     /// The neighbour after (counter-clockwise of) this one; `None` across the gap, and for a vertex that is no neighbour.

@@ -37,10 +37,10 @@ impl<'a> Direction<'a> {
         if !self.peers.contains(&v.index()) {
             self.peers = self.history.peers(v);
         }
-        if self.peers.start == 0 || w.index() >= self.peers.end {
-            return false;
-        }
-        let older = |slot: Option<usize>| slot.is_some_and(|slot| ring.neighbors()[slot].index() < self.peers.start);
-        older(ring.slot_before(slot)) && !older(ring.slot_after(slot))
+        // Nothing is older than an input vertex, so the smaller id is the first of two of them. Without branches, as the
+        // answers have no pattern.
+        let older = |corner: Option<VertexId>| corner.is_some_and(|corner| corner.index() < self.peers.start);
+        let [left, right] = ring.corners_at(slot);
+        (w.index() < self.peers.end) & older(right) & !older(left)
     }
 }

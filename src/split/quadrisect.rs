@@ -34,10 +34,8 @@ impl SplitEdge {
     /// The edge with its opposite corners, in the rings before the step.
     #[inline]
     fn parent(&self, around: Neighborhood<'_>) -> Parent {
-        let ring = around.ring(self.p);
-        let slot = self.slot_in_p as usize;
-        let corner = |slot: Option<usize>| slot.map(|slot| ring.neighbors()[slot]);
-        Parent { p: self.p, q: self.q, left: corner(ring.slot_after(slot)), right: corner(ring.slot_before(slot)) }
+        let [left, right] = around.ring(self.p).corners_at(self.slot_in_p as usize);
+        Parent { p: self.p, q: self.q, left, right }
     }
 
     #[inline]
@@ -261,22 +259,17 @@ impl<D: Fn(Quad, &RotationSystem) -> usize> Closer<D> {
     /// The ring of the new vertex `x`: from `p` counter-clockwise, or from the gap.
     #[inline]
     fn ring(&mut self, rotation: &RotationSystem, x: VertexId, edge: &SplitEdge) -> RingBuf {
-        let beside = |end: VertexId, slot: u32| {
-            let ring = rotation.ring(end);
-            let at = |slot: Option<usize>| slot.map(|slot| ring.neighbors()[slot]);
-            (at(ring.slot_before(slot as usize)), at(ring.slot_after(slot as usize)))
-        };
-        let (before_p, after_p) = beside(edge.p, edge.slot_in_p);
-        let (before_q, after_q) = beside(edge.q, edge.slot_in_q);
+        let [left_p, right_p] = rotation.ring(edge.p).corners_at(edge.slot_in_p as usize);
+        let [right_q, left_q] = rotation.ring(edge.q).corners_at(edge.slot_in_q as usize);
         // Inside of the region nothing is to be closed, and there it must be fast.
-        if let (Some(right_p), Some(right_q), Some(left_q), Some(left_p)) = (before_p, after_q, before_q, after_p) {
+        if let (Some(right_p), Some(right_q), Some(left_q), Some(left_p)) = (right_p, right_q, left_q, left_p) {
             let around = [right_p, right_q, left_q, left_p];
             if around.into_iter().all(|v| self.is_new(v)) {
                 return RingBuf::regular([edge.p, right_p, right_q, edge.q, left_q, left_p]);
             }
         }
-        let right = before_p.zip(after_q).map(|(p, q)| [p, q]);
-        let left = before_q.zip(after_p).map(|(q, p)| [q, p]);
+        let right = right_p.zip(right_q).map(|(p, q)| [p, q]);
+        let left = left_q.zip(left_p).map(|(q, p)| [q, p]);
         self.border_ring(rotation, x, edge, right, left)
     }
 

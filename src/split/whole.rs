@@ -3,11 +3,13 @@
 //! No plan is kept. The old rings stay readable until the end, as the new rings of the old vertices are written beside
 //! them, and of an edge only the slot at its greater end is remembered, in a byte.
 
+use std::convert::Infallible;
+
 use super::hubs::Slots;
 use super::parents::{Direction, Parents};
 use crate::id::{Edge, VertexId};
 use crate::mesh::Neighborhood;
-use crate::rotation::{RingBuf, RotationSystem};
+use crate::rotation::{Ring, RingBuf, RotationSystem};
 use crate::step::{History, Parent};
 
 /// Set in a link if its edge is read from the greater id to the smaller one.
@@ -35,16 +37,14 @@ pub(crate) fn number(rotation: &RotationSystem, history: &History) -> Whole {
     let mut direction = Direction::new(history);
     for v in rotation.vertices() {
         let ring = rotation.ring(v);
-        for (slot, &w) in ring.neighbors().iter().enumerate() {
-            if v < w {
-                let x = VertexId::new(old + links.len());
-                let slot_in_w = slots.find(rotation, w, v);
-                rings[v.index()].set(slot, x);
-                rings[w.index()].set(slot_in_w, x);
-                let down = if direction.runs_down(ring, slot, [v, w]) { DOWN } else { 0 };
-                links.push(down | slot_in_w.min(FAR.into()) as u8);
-            }
-        }
+        for_each_upward(v, ring, |slot, w| {
+            let x = VertexId::new(old + links.len());
+            let slot_in_w = slots.find(rotation, w, v);
+            rings[v.index()].set(slot, x);
+            rings[w.index()].set(slot_in_w, x);
+            let down = if direction.runs_down(ring, slot, [v, w]) { DOWN } else { 0 };
+            links.push(down | slot_in_w.min(FAR.into()) as u8);
+        });
     }
     Whole { rings, links, slots }
 }
@@ -61,22 +61,49 @@ impl Parents for Whole {
         mut visit: impl FnMut(Parent) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut links = self.links.iter();
-        for v in (0..self.rings.len()).map(VertexId::new) {
+        (0..self.rings.len()).map(VertexId::new).try_for_each(|v| {
             let ring = around.ring(v);
-            let neighbors = ring.neighbors();
-            for (slot, &w) in neighbors.iter().enumerate() {
-                if v < w {
-                    let left = ring.slot_after(slot).map(|slot| neighbors[slot]);
-                    let right = ring.slot_before(slot).map(|slot| neighbors[slot]);
-                    visit(match next(&mut links) & DOWN {
-                        0 => Parent { p: v, q: w, left, right },
-                        _ => Parent { p: w, q: v, left: right, right: left },
-                    })?;
-                }
-            }
-        }
-        Ok(())
+            try_for_each_upward(v, ring, |slot, w| {
+                let [left, right] = ring.corners_at(slot);
+                visit(match next(&mut links) & DOWN {
+                    0 => Parent { p: v, q: w, left, right },
+                    _ => Parent { p: w, q: v, left: right, right: left },
+                })
+            })
+        })
     }
+}
+
+/// Shows the slots of a ring at which a greater id stands, with that id, until there is an error.
+///
+/// Which they are is found for all of them at once, as nothing foretells it for any one.
+#[inline]
+fn try_for_each_upward<E>(
+    v: VertexId,
+    ring: Ring<'_>,
+    mut visit: impl FnMut(usize, VertexId) -> Result<(), E>,
+) -> Result<(), E> {
+    let greater = |part: &[VertexId]| part.iter().rev().fold(0_u32, |bits, &w| bits << 1 | u32::from(v < w));
+    for (k, part) in ring.neighbors().chunks(32).enumerate() {
+        let mut bits = match <&[VertexId; 6]>::try_from(part) {
+            Ok(six) => greater(six),
+            Err(_) => greater(part),
+        };
+        while bits != 0 {
+            let slot = bits.trailing_zeros() as usize;
+            visit(32 * k + slot, part[slot])?;
+            bits &= bits - 1;
+        }
+    }
+    Ok(())
+}
+
+#[inline]
+fn for_each_upward(v: VertexId, ring: Ring<'_>, mut visit: impl FnMut(usize, VertexId)) {
+    let Ok(()) = try_for_each_upward(v, ring, |slot, w| {
+        visit(slot, w);
+        Ok::<(), Infallible>(())
+    });
 }
 
 impl Whole {
@@ -92,21 +119,19 @@ impl Whole {
         let mut links = self.links.iter();
         let mut max_valence = 0;
         for v in rotation.vertices() {
-            for (slot, &w) in rotation.neighbors(v).iter().enumerate() {
-                if v < w {
-                    let link = next(&mut links);
-                    let slot_in_w = match link & !DOWN {
-                        FAR => self.slots.find(rotation, w, v),
-                        near => near.into(),
-                    };
-                    let ring = match link & DOWN {
-                        0 => between(&self.rings, [v, w], [slot, slot_in_w]),
-                        _ => between(&self.rings, [w, v], [slot_in_w, slot]),
-                    };
-                    max_valence = max_valence.max(ring.as_ring().valence());
-                    self.rings.push(ring);
-                }
-            }
+            for_each_upward(v, rotation.ring(v), |slot, w| {
+                let link = next(&mut links);
+                let slot_in_w = match link & !DOWN {
+                    FAR => self.slots.find(rotation, w, v),
+                    near => near.into(),
+                };
+                let ring = match link & DOWN {
+                    0 => between(&self.rings, [v, w], [slot, slot_in_w]),
+                    _ => between(&self.rings, [w, v], [slot_in_w, slot]),
+                };
+                max_valence = max_valence.max(ring.as_ring().valence());
+                self.rings.push(ring);
+            });
         }
         rotation.replace_by_split(self.rings);
         max_valence
@@ -118,24 +143,28 @@ fn next(links: &mut std::slice::Iter<'_, u8>) -> u8 {
     *links.next().expect("there is a link for each edge")
 }
 
+/// The neighbours after and before a slot in the ring of a regular vertex.
+#[inline]
+fn beside(ring: &[VertexId; 6], slot: usize) -> [VertexId; 2] {
+    [ring[if slot == 5 { 0 } else { slot + 1 }], ring[if slot == 0 { 5 } else { slot - 1 }]]
+}
+
 /// The ring of the new vertex between `p` and `q`, which stands at these slots in theirs: from `p` counter-clockwise, or
 /// from the gap.
 #[inline]
 fn between(rings: &[RingBuf], [p, q]: [VertexId; 2], [slot_p, slot_q]: [usize; 2]) -> RingBuf {
     let (ring_p, ring_q) = (rings[p.index()].as_ring(), rings[q.index()].as_ring());
     if let (Some(at_p), Some(at_q)) = (ring_p.as_regular(), ring_q.as_regular()) {
-        let before = |slot: usize| if slot == 0 { 5 } else { slot - 1 };
-        let after = |slot: usize| if slot == 5 { 0 } else { slot + 1 };
-        let (right, left) = ([at_p[before(slot_p)], at_q[after(slot_q)]], [at_q[before(slot_q)], at_p[after(slot_p)]]);
-        return RingBuf::regular([p, right[0], right[1], q, left[0], left[1]]);
+        let ([left_p, right_p], [right_q, left_q]) = (beside(at_p, slot_p), beside(at_q, slot_q));
+        return RingBuf::regular([p, right_p, right_q, q, left_q, left_p]);
     }
-    let (at_p, at_q) = (ring_p.neighbors(), ring_q.neighbors());
-    let right = ring_p.slot_before(slot_p).zip(ring_q.slot_after(slot_q)).map(|(i, j)| [at_p[i], at_q[j]]);
-    let left = ring_q.slot_before(slot_q).zip(ring_p.slot_after(slot_p)).map(|(j, i)| [at_q[j], at_p[i]]);
-    match (right, left) {
-        (Some([a, b]), Some([c, d])) => RingBuf::regular([p, a, b, q, c, d]),
-        (Some([a, b]), None) => RingBuf::open(&[p, a, b, q]),
-        (None, Some([c, d])) => RingBuf::open(&[q, c, d, p]),
+    let ([left_p, right_p], [right_q, left_q]) = (ring_p.corners_at(slot_p), ring_q.corners_at(slot_q));
+    match (right_p.zip(right_q), left_p.zip(left_q)) {
+        (Some((right_p, right_q)), Some((left_p, left_q))) => {
+            RingBuf::regular([p, right_p, right_q, q, left_q, left_p])
+        }
+        (Some((right_p, right_q)), None) => RingBuf::open(&[p, right_p, right_q, q]),
+        (None, Some((left_p, left_q))) => RingBuf::open(&[q, left_q, left_p, p]),
         (None, None) => unreachable!("an edge of a mesh has a triangle"),
     }
 }
