@@ -213,6 +213,13 @@ impl RotationSystem {
         Self { rings, entries, open }
     }
 
+    /// A copy of all rings, with room for more.
+    pub(crate) fn copy_rings(&self, additional: usize) -> Vec<RingBuf> {
+        let mut rings = Vec::with_capacity(self.rings.len() + additional);
+        rings.extend_from_slice(&self.rings);
+        rings
+    }
+
     /// Takes the rings after a split of everything: every edge became two, every triangle four, every gap two.
     pub(crate) fn replace_by_split(&mut self, rings: Vec<RingBuf>) {
         self.entries = 2 * (2 * self.edge_count() + 3 * self.triangle_count());

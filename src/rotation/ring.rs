@@ -11,15 +11,19 @@ use crate::id::VertexId;
 const INLINE: usize = 6;
 
 /// How a ring is kept: its neighbours, and behind the last one of an open ring [`VertexId::GAP`].
-#[derive(Clone, Default, PartialEq, Eq)]
+#[derive(Default, PartialEq, Eq)]
 pub(crate) struct RingBuf(SmallVec<[VertexId; INLINE]>);
 
-impl RingBuf {
+impl Clone for RingBuf {
+    /// That of a regular ring is a copy of its bytes.
     #[inline]
+    fn clone(&self) -> Self {
+        self.as_regular().map_or_else(|| Self(self.0.clone()), |&six| Self::regular(six))
+    }
+}
+
+impl RingBuf {
     pub(crate) fn from_ring(ring: Ring<'_>) -> Self {
-        if let Some(&six) = ring.as_regular() {
-            return Self::regular(six);
-        }
         let mut buf = Self(SmallVec::from_slice(ring.neighbors));
         if ring.open {
             buf.0.push(VertexId::GAP);
@@ -43,6 +47,13 @@ impl RingBuf {
     #[inline]
     pub(crate) fn open(neighbors: &[VertexId]) -> Self {
         Self::from_ring(Ring { neighbors, open: true })
+    }
+
+    /// The neighbours of a regular inner vertex, whose number is then known when the program is built.
+    #[inline]
+    pub(crate) fn as_regular(&self) -> Option<&[VertexId; INLINE]> {
+        let six: &[VertexId; INLINE] = self.0.as_slice().try_into().ok()?;
+        (six[INLINE - 1] != VertexId::GAP).then_some(six)
     }
 
     #[inline]
@@ -141,12 +152,6 @@ impl<'a> Ring<'a> {
     #[must_use]
     pub fn contains(self, neighbor: VertexId) -> bool {
         self.slot_of(neighbor).is_some()
-    }
-
-    /// The neighbours of a regular inner vertex, whose number is then known when the program is built.
-    #[inline]
-    pub(crate) fn as_regular(self) -> Option<&'a [VertexId; INLINE]> {
-        if self.open { None } else { self.neighbors.try_into().ok() }
     }
 
     /// The slot after this one, or `None` across the gap.

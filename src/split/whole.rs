@@ -30,8 +30,7 @@ pub(crate) struct Whole {
 /// Numbers the new vertices, in order of (smaller end, slot in its ring). O(edges).
 pub(crate) fn number(rotation: &RotationSystem, history: &History) -> Whole {
     let (old, new) = (rotation.vertex_count(), rotation.edge_count());
-    let mut rings = Vec::with_capacity(old + new);
-    rings.extend(rotation.vertices().map(|v| RingBuf::from_ring(rotation.ring(v))));
+    let mut rings = rotation.copy_rings(new);
     let mut links = Vec::with_capacity(new);
     let mut slots = Slots::default();
     let mut direction = Direction::new(history);
@@ -117,7 +116,6 @@ impl Whole {
     /// Makes the split, and answers with the greatest valence of a new vertex. O(edges).
     pub(crate) fn apply(mut self, rotation: &mut RotationSystem) -> usize {
         let mut links = self.links.iter();
-        let mut max_valence = 0;
         for v in rotation.vertices() {
             for_each_upward(v, rotation.ring(v), |slot, w| {
                 let link = next(&mut links);
@@ -129,12 +127,16 @@ impl Whole {
                     0 => between(&self.rings, [v, w], [slot, slot_in_w]),
                     _ => between(&self.rings, [w, v], [slot_in_w, slot]),
                 };
-                max_valence = max_valence.max(ring.as_ring().valence());
                 self.rings.push(ring);
             });
         }
+        let boundary = rotation.boundary_edge_count();
         rotation.replace_by_split(self.rings);
-        max_valence
+        match self.links.len() {
+            0 => 0,
+            edges if edges == boundary => 4,
+            _ => 6,
+        }
     }
 }
 
@@ -153,12 +155,13 @@ fn beside(ring: &[VertexId; 6], slot: usize) -> [VertexId; 2] {
 /// from the gap.
 #[inline]
 fn between(rings: &[RingBuf], [p, q]: [VertexId; 2], [slot_p, slot_q]: [usize; 2]) -> RingBuf {
-    let (ring_p, ring_q) = (rings[p.index()].as_ring(), rings[q.index()].as_ring());
+    let (ring_p, ring_q) = (&rings[p.index()], &rings[q.index()]);
     if let (Some(at_p), Some(at_q)) = (ring_p.as_regular(), ring_q.as_regular()) {
         let ([left_p, right_p], [right_q, left_q]) = (beside(at_p, slot_p), beside(at_q, slot_q));
         return RingBuf::regular([p, right_p, right_q, q, left_q, left_p]);
     }
-    let ([left_p, right_p], [right_q, left_q]) = (ring_p.corners_at(slot_p), ring_q.corners_at(slot_q));
+    let ([left_p, right_p], [right_q, left_q]) =
+        (ring_p.as_ring().corners_at(slot_p), ring_q.as_ring().corners_at(slot_q));
     match (right_p.zip(right_q), left_p.zip(left_q)) {
         (Some((right_p, right_q)), Some((left_p, left_q))) => {
             RingBuf::regular([p, right_p, right_q, q, left_q, left_p])
