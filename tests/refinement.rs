@@ -499,6 +499,12 @@ fn whole_meshes_are_split_alike<S: Surface>(surface: S, nothing: bool) {
             let refused =
                 uniform.step(&mut whole.mesh, &mut whole.history, &selection, &mut Scratch::new(), &mut tight);
             assert_eq!(refused, Err(RefineError::TooManyFaces { needed: 4 * faces, allowed: 4 * faces - 1 }));
+            let mut stop = |_| ControlFlow::Break(());
+            let mut stopped = Control { progress: Some(&mut stop), ..Control::default() };
+            let refused =
+                uniform.step(&mut whole.mesh, &mut whole.history, &selection, &mut Scratch::new(), &mut stopped);
+            assert_eq!(refused, Err(RefineError::Cancelled));
+            assert_eq!(whole.bits(), planned.bits(), "{name}");
             let expected = planned.step(&uniform, &selection);
             let step = whole.step(&uniform, &selection);
             assert_eq!(whole.bits(), planned.bits(), "{name}");

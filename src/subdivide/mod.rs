@@ -15,8 +15,6 @@ mod positions;
 
 use std::ops::ControlFlow;
 
-use positions::append_odd;
-
 use crate::adaptive::AdaptiveMethod;
 use crate::certify::{self, Certificate};
 use crate::error::RefineError;
@@ -180,13 +178,11 @@ impl Subdivider {
         let (old, new) = (mesh.vertex_count(), mesh.edge_count());
         control.allow(old + new, mesh.face_count(), 3 * mesh.face_count())?;
         let whole = whole::number(mesh.rotation(), history);
-        let moved = with_scheme!(&self.scheme, scheme => append_odd(scheme, mesh, (0..old).map(VertexId::new), &whole, control)?);
+        let moved = with_scheme!(&self.scheme, scheme => positions::of_whole(scheme, mesh, &whole, control)?);
 
         // From here on nothing can fail.
-        for (position, moved) in mesh.positions_mut().iter_mut().zip(moved) {
-            *position = moved;
-        }
-        let (rotation, _, tags) = mesh.parts_mut();
+        let (rotation, positions, tags) = mesh.parts_mut();
+        *positions = moved;
         let mut sharp: Vec<(VertexId, Edge)> =
             tags.sharp_edges().into_iter().map(|edge| (whole.on(rotation, edge), edge)).collect();
         sharp.sort_unstable();
@@ -222,8 +218,10 @@ impl Subdivider {
         let levels = child_levels(history, &plan)?;
 
         let moving = region.vertices(mesh.vertex_count());
-        let moved =
-            with_scheme!(&self.scheme, scheme => append_odd(scheme, mesh, moving.iter().copied(), &plan, control)?);
+        let movers = moving.iter().copied();
+        let moved = with_scheme!(&self.scheme, scheme => {
+            positions::append_odd(scheme, mesh, movers, &plan, control)?
+        });
 
         // From here on nothing can fail.
         let (reach, moves_even) = (self.scheme.reach(), self.scheme.moves_even());

@@ -26,14 +26,16 @@ pub(super) fn append_odd<S: Scheme>(
     let (rotation, positions, tags) = mesh.parts_mut();
     let around = Neighborhood::new(rotation, tags);
     let old = positions.len();
-    let moving = scheme.moves_even().then_some(moving);
-    let total = parents.count() + moving.as_ref().map_or(0, ExactSizeIterator::len);
-    let computed = odd(scheme, around, positions, parents, total, control)
-        .and_then(|()| moving.map_or(Ok(Vec::new()), |moving| even(scheme, around, positions, moving, total, control)));
+    let mut moved = Vec::with_capacity(if scheme.moves_even() { moving.len() } else { 0 });
+    let (new, total) = (parents.count(), parents.count() + moved.capacity());
+    let mut computed = odd(scheme, around, positions, parents, total, control);
+    if computed.is_ok() && scheme.moves_even() {
+        computed = even(scheme, around, positions, moving, &mut moved, |done| control.report(new + done, total));
+    }
     if computed.is_err() {
         positions.truncate(old);
     }
-    computed
+    computed.map(|()| moved)
 }
 
 fn odd<S: Scheme>(
@@ -64,25 +66,51 @@ fn odd<S: Scheme>(
     Ok(())
 }
 
+/// The positions after a split of everything, the old vertices first.
+pub(super) fn of_whole<S: Scheme>(
+    scheme: &S,
+    mesh: &Mesh,
+    parents: &impl Parents,
+    control: &mut Control<'_>,
+) -> Result<Vec<DVec3>, RefineError> {
+    let (around, old) = (mesh.neighborhood(), mesh.positions());
+    let mut new = Vec::with_capacity(old.len() + parents.count());
+    let total = new.capacity();
+    if scheme.moves_even() {
+        even(scheme, around, old, mesh.vertices(), &mut new, |done| control.report(done, total))?;
+    } else {
+        new.extend_from_slice(old);
+    }
+    parents.try_for_each(around, |parent| {
+        if (new.len() - old.len()) % BUFFERED == 0 {
+            control.report(new.len(), total)?;
+        }
+        let mut sum = WeightedSum::new(old);
+        scheme.odd(around, &parent, &mut sum);
+        new.push(sum.finite(parent.p)?);
+        Ok(())
+    })?;
+    Ok(new)
+}
+
+/// Adds the new positions of vertices that move; `report` hears how many there are.
 fn even<S: Scheme>(
     scheme: &S,
     around: Neighborhood<'_>,
     positions: &[DVec3],
-    moving: impl ExactSizeIterator<Item = VertexId>,
-    total: usize,
-    control: &mut Control<'_>,
-) -> Result<Vec<DVec3>, RefineError> {
-    let done = total - moving.len();
-    let mut moved = Vec::with_capacity(moving.len());
+    moving: impl Iterator<Item = VertexId>,
+    moved: &mut Vec<DVec3>,
+    mut report: impl FnMut(usize) -> Result<(), RefineError>,
+) -> Result<(), RefineError> {
     for v in moving {
         if moved.len() % BUFFERED == 0 {
-            control.report(done + moved.len(), total)?;
+            report(moved.len())?;
         }
         let mut sum = WeightedSum::new(positions);
         scheme.even(around, v, &mut sum);
         moved.push(sum.finite(v)?);
     }
-    Ok(moved)
+    Ok(())
 }
 
 /// A mask applied to positions as it comes, group by group.
