@@ -39,6 +39,13 @@ impl VertexId {
         (index <= Self::MAX_INDEX).then_some(Self(index as u32))
     }
 
+    /// The vertex with this index, which is known not to be above [`VertexId::MAX_INDEX`].
+    #[inline]
+    pub(crate) fn from_raw(index: u32) -> Self {
+        debug_assert_ne!(index, Self::GAP.0, "the gap is no vertex");
+        Self(index)
+    }
+
     /// The index as a number that reaches into a slice.
     #[inline]
     #[must_use]

@@ -137,6 +137,7 @@ pub mod id;
 pub mod io;
 pub mod limit;
 pub mod mesh;
+mod parallel;
 pub mod query;
 pub mod rotation;
 pub mod scheme;

@@ -11,6 +11,7 @@
 
 mod circulator;
 mod edit;
+mod hubs;
 mod reverse;
 mod ring;
 mod transaction;
@@ -18,6 +19,7 @@ mod validate;
 mod walk;
 
 pub use circulator::Circulator;
+pub(crate) use hubs::Hubs;
 pub use ring::Ring;
 pub(crate) use ring::RingBuf;
 pub use transaction::Transaction;
@@ -213,11 +215,10 @@ impl RotationSystem {
         Self { rings, entries, open }
     }
 
-    /// A copy of all rings, with room for more.
-    pub(crate) fn copy_rings(&self, additional: usize) -> Vec<RingBuf> {
-        let mut rings = Vec::with_capacity(self.rings.len() + additional);
-        rings.extend_from_slice(&self.rings);
-        rings
+    /// The neighbours of a regular inner vertex; `None` for any other.
+    #[inline]
+    pub(crate) fn regular(&self, v: VertexId) -> Option<&[VertexId; 6]> {
+        self.rings[v.index()].as_regular()
     }
 
     /// Takes the rings after a split of everything: every edge became two, every triangle four, every gap two.

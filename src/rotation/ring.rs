@@ -11,16 +11,8 @@ use crate::id::VertexId;
 const INLINE: usize = 6;
 
 /// How a ring is kept: its neighbours, and behind the last one of an open ring [`VertexId::GAP`].
-#[derive(Default, PartialEq, Eq)]
+#[derive(Clone, Default, PartialEq, Eq)]
 pub(crate) struct RingBuf(SmallVec<[VertexId; INLINE]>);
-
-impl Clone for RingBuf {
-    /// That of a regular ring is a copy of its bytes.
-    #[inline]
-    fn clone(&self) -> Self {
-        self.as_regular().map_or_else(|| Self(self.0.clone()), |&six| Self::regular(six))
-    }
-}
 
 impl RingBuf {
     pub(crate) fn from_ring(ring: Ring<'_>) -> Self {
@@ -29,6 +21,12 @@ impl RingBuf {
             buf.0.push(VertexId::GAP);
         }
         buf
+    }
+
+    /// A ring with other neighbours at the same slots, and the same gap.
+    pub(crate) fn like(ring: Ring<'_>, neighbor: impl FnMut(VertexId) -> VertexId) -> Self {
+        let gap = ring.open.then_some(VertexId::GAP);
+        Self(ring.iter().map(neighbor).chain(gap).collect())
     }
 
     /// A closed ring of six, which needs no length to be known.
@@ -49,11 +47,24 @@ impl RingBuf {
         Self::from_ring(Ring { neighbors, open: true })
     }
 
-    /// The neighbours of a regular inner vertex, whose number is then known when the program is built.
+    /// The neighbours of a regular inner vertex, whose number is then known when the program is built. `None` for any other,
+    /// and for a ring that was once longer.
     #[inline]
     pub(crate) fn as_regular(&self) -> Option<&[VertexId; INLINE]> {
+        if self.0.spilled() {
+            return None;
+        }
         let six: &[VertexId; INLINE] = self.0.as_slice().try_into().ok()?;
         (six[INLINE - 1] != VertexId::GAP).then_some(six)
+    }
+
+    /// The same, to be changed.
+    #[inline]
+    pub(crate) fn as_regular_mut(&mut self) -> Option<&mut [VertexId; INLINE]> {
+        if self.0.spilled() {
+            return None;
+        }
+        self.0.as_mut_slice().try_into().ok()
     }
 
     #[inline]

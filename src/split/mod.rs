@@ -6,7 +6,6 @@
 //! **Deliberately not here**: positions, tags, weights.
 
 mod diagonal;
-mod hubs;
 mod parents;
 pub(crate) mod quadrisect;
 pub(crate) mod whole;

@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use crate::id::VertexId;
 use crate::mesh::Neighborhood;
-use crate::rotation::Ring;
 use crate::step::{History, Parent};
 
 /// The edges that a step splits, in the order of their new vertices.
@@ -16,31 +15,38 @@ pub(crate) trait Parents {
     fn try_for_each<E>(&self, around: Neighborhood<'_>, visit: impl FnMut(Parent) -> Result<(), E>) -> Result<(), E>;
 }
 
-/// In which direction parents are read; the rule stands at [`Parent`].
-pub(super) struct Direction<'a> {
-    history: &'a History,
-    /// The vertices made in the same step as the one at hand.
-    peers: Range<usize>,
-}
+/// The vertices made in one step, among which the direction is decided in which a parent is read; the rule stands at
+/// [`Parent`].
+#[derive(Clone, Debug)]
+pub(super) struct Peers(Range<usize>);
 
-impl<'a> Direction<'a> {
-    pub(super) fn new(history: &'a History) -> Self {
-        Self { history, peers: 0..0 }
+impl Peers {
+    /// The vertices made in the same step as this one. O(log steps).
+    pub(super) fn of(history: &History, v: VertexId) -> Self {
+        Self(history.peers(v))
     }
 
-    /// Whether the edge between `v` and the greater id `w`, which stands at a slot of the ring of `v`, is read from `w` to
-    /// `v`.
+    /// Goes on to the vertices made in the same step as this one.
+    #[inline]
+    pub(super) fn move_to(&mut self, history: &History, v: VertexId) {
+        if !self.0.contains(&v.index()) {
+            *self = Self::of(history, v);
+        }
+    }
+
+    #[inline]
+    pub(super) fn contain(&self, v: VertexId) -> bool {
+        self.0.contains(&v.index())
+    }
+
+    /// Whether the edge from one of them to the greater id `w`, between these corners, is read from `w`.
     ///
     /// Ids grow from step to step, so the greater end can be the first only if both were made in the same step.
     #[inline]
-    pub(super) fn runs_down(&mut self, ring: Ring<'_>, slot: usize, [v, w]: [VertexId; 2]) -> bool {
-        if !self.peers.contains(&v.index()) {
-            self.peers = self.history.peers(v);
-        }
+    pub(super) fn run_inward(&self, [left, right]: [Option<VertexId>; 2], w: VertexId) -> bool {
         // Nothing is older than an input vertex, so the smaller id is the first of two of them. Without branches, as the
         // answers have no pattern.
-        let older = |corner: Option<VertexId>| corner.is_some_and(|corner| corner.index() < self.peers.start);
-        let [left, right] = ring.corners_at(slot);
-        (w.index() < self.peers.end) & older(right) & !older(left)
+        let older = |corner: Option<VertexId>| corner.is_some_and(|corner| corner.index() < self.0.start);
+        (w.index() < self.0.end) & older(right) & !older(left)
     }
 }

@@ -8,11 +8,10 @@
 //! however much was refined elsewhere.
 
 use super::Quad;
-use super::hubs::Slots;
-use super::parents::{Direction, Parents};
+use super::parents::{Parents, Peers};
 use crate::id::{Edge, VertexId};
 use crate::mesh::Neighborhood;
-use crate::rotation::{RingBuf, RotationSystem};
+use crate::rotation::{Hubs, RingBuf, RotationSystem};
 use crate::scratch::Scratch;
 use crate::step::{History, Parent, Region, RegionKind};
 
@@ -80,8 +79,9 @@ impl Parents for Plan {
 pub(crate) fn plan(rotation: &RotationSystem, history: &History, region: &Region, scratch: &mut Scratch) -> Plan {
     let mut planner = Planner {
         rotation,
-        direction: Direction::new(history),
-        slots: Slots::default(),
+        history,
+        peers: Peers::of(history, VertexId::new(0)),
+        hubs: Hubs::among(rotation, region.vertices(rotation.vertex_count()).iter().copied()),
         plan: Plan { first: rotation.vertex_count(), edges: Vec::new(), added_faces: 0 },
     };
     match region.kind() {
@@ -103,8 +103,10 @@ pub(crate) fn plan(rotation: &RotationSystem, history: &History, region: &Region
 
 struct Planner<'a> {
     rotation: &'a RotationSystem,
-    direction: Direction<'a>,
-    slots: Slots,
+    history: &'a History,
+    /// Of the vertex at hand.
+    peers: Peers,
+    hubs: Hubs,
     plan: Plan,
 }
 
@@ -124,12 +126,17 @@ impl Planner<'_> {
         let mut at: Vec<(VertexId, usize)> = Vec::with_capacity(edges.len());
         for edge in edges {
             let [a, b] = edge.ends();
-            at.push((a, self.slots.find(self.rotation, a, b)));
+            at.push((a, self.slot(a, b)));
         }
         at.sort_unstable();
         for (v, slot) in at {
             self.split(v, slot);
         }
+    }
+
+    #[inline]
+    fn slot(&self, v: VertexId, neighbor: VertexId) -> usize {
+        self.hubs.slot(self.rotation, v, neighbor).expect("rings are symmetric")
     }
 
     /// Plans the edge from `v` to the greater neighbour at a slot.
@@ -139,8 +146,11 @@ impl Planner<'_> {
         let w = ring.neighbors()[slot];
         let sides = [ring.slot_before(slot), ring.slot_after(slot)];
         self.plan.added_faces += sides.into_iter().flatten().count();
-        let runs_down = self.direction.runs_down(ring, slot, [v, w]);
-        let (slot, slot_in_w) = (slot as u32, self.slots.find(self.rotation, w, v) as u32);
+        if !self.peers.contain(v) {
+            self.peers = Peers::of(self.history, v);
+        }
+        let runs_down = self.peers.run_inward(ring.corners_at(slot), w);
+        let (slot, slot_in_w) = (slot as u32, self.slot(w, v) as u32);
         let edge = if runs_down {
             SplitEdge { p: w, q: v, slot_in_p: slot_in_w, slot_in_q: slot }
         } else {
@@ -186,9 +196,9 @@ pub(crate) fn apply(
 
     // Only now, as the slots of the plan hold until here.
     let Closer { mut closing, insertions, .. } = closer;
-    let mut slots = Slots::default();
-    let mut shifts: Vec<Shift> =
-        insertions.into_iter().map(|(o, pred, x)| (o, slots.find(rotation, o, pred), x)).collect();
+    let hubs = Hubs::among(rotation, insertions.iter().map(|&(o, ..)| o));
+    let slot_of = |o, pred| hubs.slot(rotation, o, pred).expect("it is a neighbour");
+    let mut shifts: Vec<Shift> = insertions.into_iter().map(|(o, pred, x)| (o, slot_of(o, pred), x)).collect();
     shifts.sort_unstable();
     for at_one in shifts.chunk_by(|one, other| one.0 == other.0) {
         insert(rotation, at_one);

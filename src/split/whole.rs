@@ -1,173 +1,295 @@
-//! The 1-to-4 split of a whole mesh: what [`quadrisect`](super::quadrisect) makes of it, bit for bit, at half the cost.
+//! The 1-to-4 split of a whole mesh: what [`quadrisect`](super::quadrisect) makes of it, bit for bit, at a part of the cost.
 //!
-//! No plan is kept. The old rings stay readable until the end, as the new rings of the old vertices are written beside
-//! them, and of an edge only the slot at its greater end is remembered, in a byte.
+//! No plan is kept. Edges are numbered in order of (smaller end, slot in its ring), so every new ring and every parent is a
+//! function of the old mesh and its own number: they are made in any order and written once, beside the old ones.
+//!
+//! Regular inner vertices, almost all of a refined mesh, have a way of their own through every function here: six
+//! neighbours need no loop, sets of slots are bits, and nothing is decided by a branch that no pattern foretells.
 
-use std::convert::Infallible;
+use std::ops::{Range, RangeFrom};
 
-use super::hubs::Slots;
-use super::parents::{Direction, Parents};
-use crate::id::{Edge, VertexId};
-use crate::mesh::Neighborhood;
-use crate::rotation::{Ring, RingBuf, RotationSystem};
+use super::parents::Peers;
+use crate::id::VertexId;
+use crate::parallel;
+use crate::rotation::{Hubs, RingBuf, RotationSystem};
 use crate::step::{History, Parent};
 
-/// Set in a link if its edge is read from the greater id to the smaller one.
-const DOWN: u8 = 0x80;
+/// So many old vertices are taken at a time; what is made of them stays in the nearest cache.
+const PART: usize = 1 << 8;
 
-/// Stands in a link for a slot that is too great for it and is looked for again.
-const FAR: u8 = 0x7f;
-
-/// A split of everything, numbered but not made.
-pub(crate) struct Whole {
-    /// The rings of the old vertices after the split, with room for those of the new ones.
-    rings: Vec<RingBuf>,
-    /// For each new vertex the slot of the smaller end of its edge in the ring of the greater one, and [`DOWN`].
-    links: Vec<u8>,
-    slots: Slots,
+/// The edges of a mesh, numbered.
+pub(crate) struct Whole<'a> {
+    rotation: &'a RotationSystem,
+    history: &'a History,
+    /// For each vertex, and behind them the number of edges as the first of one more.
+    own: Vec<OwnEdges>,
+    hubs: Hubs,
 }
 
-/// Numbers the new vertices, in order of (smaller end, slot in its ring). O(edges).
-pub(crate) fn number(rotation: &RotationSystem, history: &History) -> Whole {
-    let (old, new) = (rotation.vertex_count(), rotation.edge_count());
-    let mut rings = rotation.copy_rings(new);
-    let mut links = Vec::with_capacity(new);
-    let mut slots = Slots::default();
-    let mut direction = Direction::new(history);
-    for v in rotation.vertices() {
-        let ring = rotation.ring(v);
-        for_each_upward(v, ring, |slot, w| {
-            let x = VertexId::new(old + links.len());
-            let slot_in_w = slots.find(rotation, w, v);
-            rings[v.index()].set(slot, x);
-            rings[w.index()].set(slot_in_w, x);
-            let down = if direction.runs_down(ring, slot, [v, w]) { DOWN } else { 0 };
-            links.push(down | slot_in_w.min(FAR.into()) as u8);
+/// The edges from a vertex to greater ids: they have consecutive numbers.
+#[derive(Clone, Copy, Default)]
+struct OwnEdges {
+    first: u32,
+    /// Their slots, as bits, if the vertex is regular.
+    slots: u8,
+    /// The slots of edges that are read towards the vertex, as bits, if it is regular.
+    inward: u8,
+}
+
+impl<'a> Whole<'a> {
+    /// Numbers the edges. O(edges), and 8 bytes a vertex.
+    pub(crate) fn new(rotation: &'a RotationSystem, history: &'a History) -> Self {
+        let mut own = Vec::with_capacity(rotation.vertex_count() + 1);
+        let lengths = (0..rotation.vertex_count().div_ceil(PART)).map(|part| PART.min(rotation.vertex_count() - part * PART));
+        parallel::append_parts(&mut own, lengths, OwnEdges::default, |_, part, own| {
+            let mut peers = Peers::of(history, VertexId::new(part * PART));
+            for (v, own) in (part * PART..).map(VertexId::new).zip(own) {
+                peers.move_to(history, v);
+                *own = OwnEdges::count(rotation, &peers, v);
+            }
+        });
+        own.push(OwnEdges::default());
+        let mut edges = 0;
+        for own in &mut own {
+            edges += std::mem::replace(&mut own.first, edges);
+        }
+        Self { rotation, history, own, hubs: Hubs::among(rotation, rotation.vertices()) }
+    }
+
+    /// The rings after the split, those of the old vertices first. O(edges).
+    pub(crate) fn rings(&self) -> Vec<RingBuf> {
+        let old = self.rotation.vertex_count();
+        let mut rings = Vec::with_capacity(old + self.rotation.edge_count());
+        let blank = || RingBuf::regular([VertexId::GAP; 6]);
+        parallel::append_parts(&mut rings, self.parts().map(|part| part.len()), blank, |_, part, rings| {
+            for (v, ring) in (part * PART..).map(VertexId::new).zip(rings) {
+                self.write_even(v, ring);
+            }
+        });
+        parallel::append_parts(&mut rings, self.odd_lengths(), blank, |evens, part, rings| {
+            let mut rings = rings.iter_mut();
+            for v in self.part(part) {
+                self.write_odd_from(v, evens, &mut rings);
+            }
+        });
+        rings
+    }
+
+    /// Appends what is made of each edge, in order.
+    pub(crate) fn append_odd<T: Default + Send + Sync>(&self, list: &mut Vec<T>, make: impl Fn(Parent) -> T + Sync) {
+        parallel::append_parts(list, self.odd_lengths(), T::default, |_, part, made| {
+            let mut made = made.iter_mut();
+            for v in self.part(part) {
+                let OwnEdges { first, mut slots, inward } = self.own[v.index()];
+                let regular = self.rotation.regular(v).map(Around::new);
+                let mut irregular = 0..;
+                for _ in first..self.own[v.index() + 1].first {
+                    let parent = match &regular {
+                        Some(around) => {
+                            let slot = next_bit(&mut slots);
+                            let [right, w, left] = around.at(slot);
+                            Parent::read(v, w, [Some(left), Some(right)], inward >> slot & 1 == 1)
+                        }
+                        None => self.irregular_parent(v, &mut irregular),
+                    };
+                    *made.next().expect("there is one for each edge") = make(parent);
+                }
+            }
         });
     }
-    Whole { rings, links, slots }
-}
 
-impl Parents for Whole {
-    fn count(&self) -> usize {
-        self.links.len()
+    #[inline(never)]
+    fn irregular_parent(&self, v: VertexId, slots: &mut RangeFrom<usize>) -> Parent {
+        let ring = self.rotation.ring(v);
+        let neighbors = ring.neighbors();
+        let slot = slots.find(|&slot| v < neighbors[slot]).expect("there are so many");
+        let (w, corners) = (neighbors[slot], ring.corners_at(slot));
+        Parent::read(v, w, corners, Peers::of(self.history, v).run_inward(corners, w))
     }
 
+    fn parts(&self) -> impl ExactSizeIterator<Item = Range<usize>> + use<> {
+        let vertices = self.rotation.vertex_count();
+        (0..vertices.div_ceil(PART)).map(move |part| part * PART..vertices.min((part + 1) * PART))
+    }
+
+    fn part(&self, part: usize) -> impl Iterator<Item = VertexId> + use<> {
+        (part * PART..self.rotation.vertex_count().min((part + 1) * PART)).map(VertexId::new)
+    }
+
+    fn odd_lengths(&self) -> impl ExactSizeIterator<Item = usize> {
+        self.parts().map(|part| (self.own[part.end].first - self.own[part.start].first) as usize)
+    }
+
+    /// The new vertex on the edge with a number.
     #[inline]
-    fn try_for_each<E>(
-        &self,
-        around: Neighborhood<'_>,
-        mut visit: impl FnMut(Parent) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let mut links = self.links.iter();
-        (0..self.rings.len()).map(VertexId::new).try_for_each(|v| {
-            let ring = around.ring(v);
-            try_for_each_upward(v, ring, |slot, w| {
-                let [left, right] = ring.corners_at(slot);
-                visit(match next(&mut links) & DOWN {
-                    0 => Parent { p: v, q: w, left, right },
-                    _ => Parent { p: w, q: v, left: right, right: left },
-                })
-            })
+    fn vertex(&self, number: u32) -> VertexId {
+        VertexId::from_raw((self.own.len() - 1) as u32 + number)
+    }
+
+    /// The number of the edge from `v` to the greater id `w`.
+    #[inline]
+    fn number(&self, v: VertexId, w: VertexId) -> u32 {
+        let own = self.own[v.index()];
+        let rank = match self.rotation.regular(v) {
+            Some(six) => RANKS[usize::from(own.slots) % 64][slot_in(six, w) % 8].into(),
+            None => self.irregular_rank(v, w),
+        };
+        own.first + rank
+    }
+
+    #[inline(never)]
+    fn irregular_rank(&self, v: VertexId, w: VertexId) -> u32 {
+        self.hubs.place(self.rotation, v, w).expect("rings are symmetric").rank
+    }
+
+    /// Writes the ring of an old vertex, in which every neighbour gives way to the new vertex between.
+    #[inline]
+    fn write_even(&self, v: VertexId, ring: &mut RingBuf) {
+        let OwnEdges { mut first, slots, .. } = self.own[v.index()];
+        let (Some(old), Some(new)) = (self.rotation.regular(v), ring.as_regular_mut()) else {
+            *ring = self.irregular_even(v);
+            return;
+        };
+        let mut outward = slots;
+        while outward != 0 {
+            new[next_bit(&mut outward)] = self.vertex(first);
+            first += 1;
+        }
+        let mut others = !slots & 0b11_1111;
+        while others != 0 {
+            let slot = next_bit(&mut others);
+            new[slot] = self.vertex(self.number(old[slot], v));
+        }
+    }
+
+    #[inline(never)]
+    fn irregular_even(&self, v: VertexId) -> RingBuf {
+        let mut own = self.own[v.index()].first..;
+        RingBuf::like(self.rotation.ring(v), |w| {
+            let number = if v < w { own.next() } else { Some(self.number(w, v)) };
+            self.vertex(number.expect("own numbers have no end"))
         })
     }
+
+    /// Writes the rings of the new vertices on the edges from `v` to greater ids: each from `p` counter-clockwise, or from
+    /// the gap.
+    #[inline]
+    fn write_odd_from<'r>(&self, v: VertexId, evens: &[RingBuf], rings: &mut impl Iterator<Item = &'r mut RingBuf>) {
+        let OwnEdges { first, mut slots, inward } = self.own[v.index()];
+        let regular = self.rotation.regular(v).zip(evens[v.index()].as_regular());
+        let regular = regular.map(|(old, new)| (old, Around::new(new)));
+        let mut irregular = 0..;
+        for number in first..self.own[v.index() + 1].first {
+            let ring = rings.next().expect("there is one for each edge");
+            let Some((old, new)) = &regular else {
+                *ring = self.irregular_odd(&self.irregular_parent(v, &mut irregular), evens);
+                continue;
+            };
+            let slot = next_bit(&mut slots);
+            let w = old[slot];
+            let (Some(at_w), Some(ring)) = (evens[w.index()].as_regular(), ring.as_regular_mut()) else {
+                let parent = Parent::read(v, w, [Some(old[(slot + 1) % 6]), Some(old[(slot + 5) % 6])], inward >> slot & 1 == 1);
+                *ring = self.irregular_odd(&parent, evens);
+                continue;
+            };
+            let [right, _, left] = new.at(slot);
+            let [left_w, right_w] = beside(at_w, self.vertex(number));
+            // The half from `p` on comes first.
+            let (from_v, from_w) = if inward >> slot & 1 == 1 { (3, 0) } else { (0, 3) };
+            [ring[from_v], ring[from_v + 1], ring[from_v + 2]] = [v, right, right_w];
+            [ring[from_w], ring[from_w + 1], ring[from_w + 2]] = [w, left_w, left];
+        }
+    }
+
+    #[inline(never)]
+    fn irregular_odd(&self, &Parent { p, q, .. }: &Parent, evens: &[RingBuf]) -> RingBuf {
+        let slot = |v, w| self.hubs.slot(self.rotation, v, w).expect("rings are symmetric");
+        let [left_p, right_p] = evens[p.index()].as_ring().corners_at(slot(p, q));
+        let [right_q, left_q] = evens[q.index()].as_ring().corners_at(slot(q, p));
+        match (right_p.zip(right_q), left_p.zip(left_q)) {
+            (Some((right_p, right_q)), Some((left_p, left_q))) => {
+                RingBuf::regular([p, right_p, right_q, q, left_q, left_p])
+            }
+            (Some((right_p, right_q)), None) => RingBuf::open(&[p, right_p, right_q, q]),
+            (None, Some((left_p, left_q))) => RingBuf::open(&[q, left_q, left_p, p]),
+            (None, None) => unreachable!("an edge of a mesh has a triangle"),
+        }
+    }
 }
 
-/// Shows the slots of a ring at which a greater id stands, with that id, until there is an error.
-///
-/// Which they are is found for all of them at once, as nothing foretells it for any one.
-#[inline]
-fn try_for_each_upward<E>(
-    v: VertexId,
-    ring: Ring<'_>,
-    mut visit: impl FnMut(usize, VertexId) -> Result<(), E>,
-) -> Result<(), E> {
-    let greater = |part: &[VertexId]| part.iter().rev().fold(0_u32, |bits, &w| bits << 1 | u32::from(v < w));
-    for (k, part) in ring.neighbors().chunks(32).enumerate() {
-        let mut bits = match <&[VertexId; 6]>::try_from(part) {
-            Ok(six) => greater(six),
-            Err(_) => greater(part),
+impl OwnEdges {
+    /// The edges of a vertex, with their number in place of the first one's.
+    #[inline]
+    fn count(rotation: &RotationSystem, peers: &Peers, v: VertexId) -> Self {
+        let Some(six) = rotation.regular(v) else {
+            let count = rotation.neighbors(v).iter().filter(|&&w| v < w).count();
+            return Self { first: count as u32, ..Self::default() };
         };
-        while bits != 0 {
-            let slot = bits.trailing_zeros() as usize;
-            visit(32 * k + slot, part[slot])?;
-            bits &= bits - 1;
+        let bits = |is: &dyn Fn(VertexId) -> bool| (0..6).fold(0_u8, |bits, slot| bits | u8::from(is(six[slot])) << slot);
+        let slots = bits(&|w| v < w);
+        let around = Around::new(six);
+        let inward = (0..6).fold(0_u8, |bits, slot| {
+            let [right, w, left] = around.at(slot);
+            bits | u8::from(peers.run_inward([Some(left), Some(right)], w)) << slot
+        });
+        Self { first: RANKS[usize::from(slots) % 64][6].into(), slots, inward }
+    }
+}
+
+/// How many of the slots before one are in a set: by the set, then the slot.
+const RANKS: [[u8; 8]; 64] = {
+    let mut ranks = [[0; 8]; 64];
+    let mut set = 0;
+    while set < 64 {
+        let mut slot = 0;
+        while slot < 7 {
+            ranks[set][slot + 1] = ranks[set][slot] + (set >> slot & 1) as u8;
+            slot += 1;
+        }
+        set += 1;
+    }
+    ranks
+};
+
+/// The smallest slot of a set, which is taken out.
+#[inline]
+fn next_bit(set: &mut u8) -> usize {
+    let slot = set.trailing_zeros() as usize;
+    *set &= set.wrapping_sub(1);
+    slot
+}
+
+/// A regular ring with its last neighbour before the first, and the first behind the last.
+struct Around([VertexId; 8]);
+
+impl Around {
+    #[inline]
+    fn new(&[a, b, c, d, e, f]: &[VertexId; 6]) -> Self {
+        Self([f, a, b, c, d, e, f, a])
+    }
+
+    /// The neighbours before, at and after a slot.
+    #[inline]
+    fn at(&self, slot: usize) -> [VertexId; 3] {
+        let ring = &self.0;
+        [ring[slot], ring[slot + 1], ring[slot + 2]]
+    }
+}
+
+/// The slot of a neighbour in a regular ring.
+#[inline]
+fn slot_in(six: &[VertexId; 6], neighbor: VertexId) -> usize {
+    (0..6).map(|k| if six[k] == neighbor { k as u32 } else { 0 }).fold(0, |slot, k| slot | k) as usize
+}
+
+/// The neighbours before and after one in a regular ring.
+#[inline]
+fn beside(&[a, b, c, d, e, f]: &[VertexId; 6], neighbor: VertexId) -> [VertexId; 2] {
+    let mut found = [e, a];
+    for (at, beside) in [(a, [f, b]), (b, [a, c]), (c, [b, d]), (d, [c, e]), (e, [d, f])] {
+        if at == neighbor {
+            found = beside;
         }
     }
-    Ok(())
-}
-
-#[inline]
-fn for_each_upward(v: VertexId, ring: Ring<'_>, mut visit: impl FnMut(usize, VertexId)) {
-    let Ok(()) = try_for_each_upward(v, ring, |slot, w| {
-        visit(slot, w);
-        Ok::<(), Infallible>(())
-    });
-}
-
-impl Whole {
-    /// The new vertex on an edge; `rotation` is as before the split.
-    pub(crate) fn on(&self, rotation: &RotationSystem, edge: Edge) -> VertexId {
-        let [a, b] = edge.ends();
-        let slot = rotation.ring(a).slot_of(b).expect("the edge exists");
-        self.rings[a.index()].as_ring().neighbors()[slot]
-    }
-
-    /// Makes the split, and answers with the greatest valence of a new vertex. O(edges).
-    pub(crate) fn apply(mut self, rotation: &mut RotationSystem) -> usize {
-        let mut links = self.links.iter();
-        for v in rotation.vertices() {
-            for_each_upward(v, rotation.ring(v), |slot, w| {
-                let link = next(&mut links);
-                let slot_in_w = match link & !DOWN {
-                    FAR => self.slots.find(rotation, w, v),
-                    near => near.into(),
-                };
-                let ring = match link & DOWN {
-                    0 => between(&self.rings, [v, w], [slot, slot_in_w]),
-                    _ => between(&self.rings, [w, v], [slot_in_w, slot]),
-                };
-                self.rings.push(ring);
-            });
-        }
-        let boundary = rotation.boundary_edge_count();
-        rotation.replace_by_split(self.rings);
-        match self.links.len() {
-            0 => 0,
-            edges if edges == boundary => 4,
-            _ => 6,
-        }
-    }
-}
-
-#[inline]
-fn next(links: &mut std::slice::Iter<'_, u8>) -> u8 {
-    *links.next().expect("there is a link for each edge")
-}
-
-/// The neighbours after and before a slot in the ring of a regular vertex.
-#[inline]
-fn beside(ring: &[VertexId; 6], slot: usize) -> [VertexId; 2] {
-    [ring[if slot == 5 { 0 } else { slot + 1 }], ring[if slot == 0 { 5 } else { slot - 1 }]]
-}
-
-/// The ring of the new vertex between `p` and `q`, which stands at these slots in theirs: from `p` counter-clockwise, or
-/// from the gap.
-#[inline]
-fn between(rings: &[RingBuf], [p, q]: [VertexId; 2], [slot_p, slot_q]: [usize; 2]) -> RingBuf {
-    let (ring_p, ring_q) = (&rings[p.index()], &rings[q.index()]);
-    if let (Some(at_p), Some(at_q)) = (ring_p.as_regular(), ring_q.as_regular()) {
-        let ([left_p, right_p], [right_q, left_q]) = (beside(at_p, slot_p), beside(at_q, slot_q));
-        return RingBuf::regular([p, right_p, right_q, q, left_q, left_p]);
-    }
-    let ([left_p, right_p], [right_q, left_q]) =
-        (ring_p.as_ring().corners_at(slot_p), ring_q.as_ring().corners_at(slot_q));
-    match (right_p.zip(right_q), left_p.zip(left_q)) {
-        (Some((right_p, right_q)), Some((left_p, left_q))) => {
-            RingBuf::regular([p, right_p, right_q, q, left_q, left_p])
-        }
-        (Some((right_p, right_q)), None) => RingBuf::open(&[p, right_p, right_q, q]),
-        (None, Some((left_p, left_q))) => RingBuf::open(&[q, left_q, left_p, p]),
-        (None, None) => unreachable!("an edge of a mesh has a triangle"),
-    }
+    found
 }

@@ -24,7 +24,8 @@ use crate::scheme::{AnyScheme, with_scheme};
 use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::quadrisect::{self, Closing, Plan};
-use crate::split::{Diagonal, Quad, whole};
+use crate::split::whole::Whole;
+use crate::split::{Diagonal, Quad};
 use crate::step::{History, Region};
 
 /// How far a step is.
@@ -177,19 +178,16 @@ impl Subdivider {
     ) -> Result<Step, RefineError> {
         let (old, new) = (mesh.vertex_count(), mesh.edge_count());
         control.allow(old + new, mesh.face_count(), 3 * mesh.face_count())?;
-        let whole = whole::number(mesh.rotation(), history);
+        let whole = Whole::new(mesh.rotation(), history);
         let moved = with_scheme!(&self.scheme, scheme => positions::of_whole(scheme, mesh, &whole, control)?);
 
         // From here on nothing can fail.
+        let rings = whole.rings();
         let (rotation, positions, tags) = mesh.parts_mut();
         *positions = moved;
-        let mut sharp: Vec<(VertexId, Edge)> =
-            tags.sharp_edges().into_iter().map(|edge| (whole.on(rotation, edge), edge)).collect();
-        sharp.sort_unstable();
-        for (x, edge) in sharp {
-            tags.split(edge, x);
-        }
-        let max_valence = whole.apply(rotation);
+        let boundary = rotation.boundary_edge_count();
+        rotation.replace_by_split(rings);
+        let max_valence = match new { 0 => 0, edges if edges == boundary => 4, _ => 6 };
         history.record(old + new, std::iter::empty(), &[], max_valence);
         Ok(Step {
             selection: if selection.is_empty() { Selection::empty() } else { Selection::all(old + new) },

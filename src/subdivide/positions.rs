@@ -7,7 +7,9 @@ use crate::error::RefineError;
 use crate::id::VertexId;
 use crate::mesh::{Mesh, Neighborhood};
 use crate::scheme::{MaskSink, Scheme};
+use crate::parallel;
 use crate::split::Parents;
+use crate::split::whole::Whole;
 
 /// After how many new positions they are stored, and the caller is asked whether to go on.
 const BUFFERED: usize = 1 << 10;
@@ -67,29 +69,30 @@ fn odd<S: Scheme>(
 }
 
 /// The positions after a split of everything, the old vertices first.
-pub(super) fn of_whole<S: Scheme>(
+pub(super) fn of_whole<S: Scheme + Sync>(
     scheme: &S,
     mesh: &Mesh,
-    parents: &impl Parents,
+    whole: &Whole<'_>,
     control: &mut Control<'_>,
 ) -> Result<Vec<DVec3>, RefineError> {
     let (around, old) = (mesh.neighborhood(), mesh.positions());
-    let mut new = Vec::with_capacity(old.len() + parents.count());
+    let mut new = Vec::with_capacity(old.len() + mesh.edge_count());
     let total = new.capacity();
     if scheme.moves_even() {
-        even(scheme, around, old, mesh.vertices(), &mut new, |done| control.report(done, total))?;
+        parallel::append(&mut new, 0..old.len(), |v| {
+            let mut sum = WeightedSum::new(old);
+            scheme.even(around, VertexId::new(v), &mut sum);
+            sum.total.unwrap_or(DVec3::NAN)
+        });
     } else {
         new.extend_from_slice(old);
     }
-    parents.try_for_each(around, |parent| {
-        if (new.len() - old.len()) % BUFFERED == 0 {
-            control.report(new.len(), total)?;
-        }
+    whole.append_odd(&mut new, |parent| {
         let mut sum = WeightedSum::new(old);
         scheme.odd(around, &parent, &mut sum);
-        new.push(sum.finite(parent.p)?);
-        Ok(())
-    })?;
+        sum.total.unwrap_or(DVec3::NAN)
+    });
+    control.report(total, total)?;
     Ok(new)
 }
 
