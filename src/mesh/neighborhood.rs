@@ -4,7 +4,7 @@ use smallvec::SmallVec;
 
 use super::Tags;
 use crate::id::{Edge, VertexId};
-use crate::rotation::{Ring, RotationSystem};
+use crate::rotation::{Hubs, Ring, RotationSystem};
 
 /// How sharp the surroundings of a vertex are, by the number of sharp edges at it, boundary edges counted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -24,11 +24,34 @@ pub enum VertexClass {
 pub struct Neighborhood<'a> {
     rotation: &'a RotationSystem,
     tags: &'a Tags,
+    hubs: Option<&'a Hubs>,
 }
 
 impl<'a> Neighborhood<'a> {
     pub(crate) fn new(rotation: &'a RotationSystem, tags: &'a Tags) -> Self {
-        Self { rotation, tags }
+        Self { rotation, tags, hubs: None }
+    }
+
+    /// The same, with help for very long rings.
+    pub(crate) fn with_hubs(self, hubs: &'a Hubs) -> Self {
+        Self { hubs: Some(hubs), ..self }
+    }
+
+    /// The slot of a neighbour in the ring of a vertex, or `None` if it is none. O(valence), and while a step is made
+    /// O(log valence) in very long rings.
+    #[inline]
+    #[must_use]
+    pub fn slot_of(&self, v: VertexId, neighbor: VertexId) -> Option<usize> {
+        match self.hubs {
+            Some(hubs) => hubs.slot(self.rotation, v, neighbor),
+            None => self.ring(v).slot_of(neighbor),
+        }
+    }
+
+    /// Whether a vertex is regular, off the boundary, and nothing is tagged in the whole mesh.
+    #[inline]
+    pub(crate) fn is_plain(&self, v: VertexId) -> bool {
+        self.tags.is_empty() && self.rotation.regular(v).is_some()
     }
 
     /// The ring of a vertex.

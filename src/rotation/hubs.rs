@@ -24,12 +24,18 @@ pub(crate) struct Place {
 }
 
 impl Hubs {
+    /// Whether the ring of a vertex is too long to be searched.
+    #[inline]
+    pub(crate) fn is_long(rotation: &RotationSystem, v: VertexId) -> bool {
+        rotation.valence(v) > SEARCHED
+    }
+
     /// Ready for the rings of these vertices, which may come more than once.
     ///
     /// O(vertices), and O(valence log valence) for each long ring.
     pub(crate) fn among(rotation: &RotationSystem, vertices: impl IntoIterator<Item = VertexId>) -> Self {
         let mut sorted = HashMap::new();
-        for v in vertices.into_iter().filter(|&v| rotation.valence(v) > SEARCHED) {
+        for v in vertices.into_iter().filter(|&v| Self::is_long(rotation, v)) {
             sorted.entry(v).or_insert_with(|| sorted_places(rotation, v));
         }
         Self { sorted }
@@ -81,11 +87,13 @@ fn sorted_places(rotation: &RotationSystem, v: VertexId) -> Vec<(VertexId, Place
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shapes;
+    use crate::Mesh;
+    use crate::glam::DVec3;
 
     #[test]
     fn a_hub_and_a_short_ring_are_found_alike() {
-        let mesh = shapes::cone(SEARCHED + 1);
+        let fan: Vec<[u32; 3]> = (1..=SEARCHED as u32).map(|k| [0, k, k + 1]).collect();
+        let mesh = Mesh::from_triangles(vec![DVec3::ZERO; SEARCHED + 2], &fan).unwrap();
         let rotation = mesh.rotation();
         let [with, without] = [Hubs::among(rotation, mesh.vertices().chain(mesh.vertices())), Hubs::default()];
         assert_eq!(with.sorted.len(), 1);

@@ -125,6 +125,12 @@ impl<'a> Ring<'a> {
         self.neighbors
     }
 
+    /// The neighbours of a regular inner vertex; `None` for any other.
+    #[inline]
+    pub(crate) fn as_regular(self) -> Option<&'a [VertexId; INLINE]> {
+        if self.open { None } else { self.neighbors.try_into().ok() }
+    }
+
     /// How many neighbours there are.
     #[inline]
     #[must_use]

@@ -64,13 +64,44 @@ impl Wing {
 /// Writes the 8-point mask.
 ///
 /// Opposite corners and wings come counter-clockwise from `p`'s left, so the order of summing does not depend on ids.
+#[inline]
 pub(super) fn eight_point(around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
     let Parent { p, q, left, right } = *parent;
+    if let (Some(left), Some(right), Some(at_p), Some(at_q)) =
+        (left, right, around.ring(p).as_regular(), around.ring(q).as_regular())
+    {
+        let ([on_right_p, on_left_p], [on_left_q, on_right_q]) = (two_off(at_p, q), two_off(at_q, p));
+        mask.group(0.5, [p, q]);
+        mask.group(0.125, [left, right]);
+        mask.group(-0.0625, [on_left_p, on_left_q, on_right_q, on_right_p]);
+        return;
+    }
+    irregular_eight_point(around, parent, mask);
+}
+
+/// The neighbours two before and two after one in a regular ring.
+#[inline]
+fn two_off(&[a, b, c, d, e, f]: &[VertexId; 6], neighbor: VertexId) -> [VertexId; 2] {
+    let mut found = [d, b];
+    for (at, off) in [(a, [e, c]), (b, [f, d]), (c, [a, e]), (d, [b, f]), (e, [c, a])] {
+        if at == neighbor {
+            found = off;
+        }
+    }
+    found
+}
+
+fn irregular_eight_point(around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
+    let Parent { p, q, left, right } = *parent;
     let (at_p, at_q) = (around.ring(p), around.ring(q));
-    let after = |ring: Ring<'_>, v| ring.next(v);
-    let before = |ring: Ring<'_>, v| ring.prev(v);
-    let on_left = left.map(|c| [Wing::new(after(at_p, c), [p, c], q), Wing::new(before(at_q, c), [c, q], p)]);
-    let on_right = right.map(|d| [Wing::new(after(at_q, d), [q, d], p), Wing::new(before(at_p, d), [d, p], q)]);
+    let [slot_p, slot_q] =
+        [(p, q), (q, p)].map(|(v, w)| around.slot_of(v, w).expect("the ends of an edge are neighbours"));
+    let two_after = |ring: Ring<'_>, slot| ring.behind(ring.slot_after(slot)?);
+    let two_before = |ring: Ring<'_>, slot| ring.ahead(ring.slot_before(slot)?);
+    let on_left =
+        left.map(|c| [Wing::new(two_after(at_p, slot_p), [p, c], q), Wing::new(two_before(at_q, slot_q), [c, q], p)]);
+    let on_right =
+        right.map(|d| [Wing::new(two_after(at_q, slot_q), [q, d], p), Wing::new(two_before(at_p, slot_p), [d, p], q)]);
     let sides = [on_left, on_right].map(|side| side.unwrap_or([Wing::NONE; 2]));
     let wings = || sides.iter().flatten();
 

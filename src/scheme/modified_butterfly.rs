@@ -48,23 +48,33 @@ impl Scheme for ModifiedButterfly {
         Reach::BothStars
     }
 
+    #[inline]
     fn odd(&self, around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
-        let Parent { p, q, left, right } = *parent;
-        if left.is_none() || right.is_none() || around.is_tagged(p, q) {
-            return curve(around, [p, q], mask);
+        if around.is_plain(parent.p) && around.is_plain(parent.q) {
+            eight_point(around, parent, mask);
+        } else {
+            by_ends(around, parent, mask);
         }
-        match [End::new(around, p, q), End::new(around, q, p)] {
-            [at_p, at_q] if !at_p.is_regular() && !at_q.is_regular() => {
-                at_p.extraordinary(0.5, mask);
-                at_q.extraordinary(0.5, mask);
-            }
-            [end, _] | [_, end] if !end.is_regular() => end.extraordinary(1.0, mask),
-            [End::Interior(_), End::Interior(_)] => eight_point(around, parent, mask),
-            [End::Crease(crease), End::Interior(interior)] | [End::Interior(interior), End::Crease(crease)] => {
-                interior_crease(crease, interior, mask);
-            }
-            [End::Crease(at_p), End::Crease(at_q)] => crease_crease(at_p, at_q, mask),
+    }
+}
+
+/// Writes the mask by the table.
+fn by_ends(around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
+    let Parent { p, q, left, right } = *parent;
+    if left.is_none() || right.is_none() || around.is_tagged(p, q) {
+        return curve(around, [p, q], mask);
+    }
+    match [End::new(around, p, q), End::new(around, q, p)] {
+        [at_p, at_q] if !at_p.is_regular() && !at_q.is_regular() => {
+            at_p.extraordinary(0.5, mask);
+            at_q.extraordinary(0.5, mask);
         }
+        [end, _] | [_, end] if !end.is_regular() => end.extraordinary(1.0, mask),
+        [End::Interior(_), End::Interior(_)] => eight_point(around, parent, mask),
+        [End::Crease(crease), End::Interior(interior)] | [End::Interior(interior), End::Crease(crease)] => {
+            interior_crease(crease, interior, mask);
+        }
+        [End::Crease(at_p), End::Crease(at_q)] => crease_crease(at_p, at_q, mask),
     }
 }
 
@@ -95,7 +105,7 @@ impl<'a> End<'a> {
     /// The end `v` of the edge `v - other`, which is not sharp.
     fn new(around: Neighborhood<'a>, v: VertexId, other: VertexId) -> Self {
         let ring = around.ring(v);
-        let slot = ring.slot_of(other).expect("the ends of an edge are neighbours");
+        let slot = around.slot_of(v, other).expect("the ends of an edge are neighbours");
         if let VertexClass::Smooth | VertexClass::Dart = around.class(v) {
             return End::Interior(InteriorEnd { v, ring, slot });
         }

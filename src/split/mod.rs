@@ -6,9 +6,8 @@
 //! **Deliberately not here**: positions, tags, weights.
 
 mod diagonal;
-mod parents;
+mod peers;
 pub(crate) mod quadrisect;
 pub(crate) mod whole;
 
 pub use diagonal::{Diagonal, Quad};
-pub(crate) use parents::Parents;

@@ -8,7 +8,7 @@
 //! however much was refined elsewhere.
 
 use super::Quad;
-use super::parents::{Parents, Peers};
+use super::peers::Peers;
 use crate::id::{Edge, VertexId};
 use crate::mesh::Neighborhood;
 use crate::rotation::{Hubs, RingBuf, RotationSystem};
@@ -52,37 +52,34 @@ pub(crate) struct Plan {
     pub(crate) edges: Vec<SplitEdge>,
     /// How many faces the step adds.
     pub(crate) added_faces: usize,
+    hubs: Hubs,
 }
 
 impl Plan {
+    /// The split edges as parents, in order, with their surroundings before the step.
+    pub(crate) fn parents(&self, around: Neighborhood<'_>) -> impl ExactSizeIterator<Item = Parent> {
+        self.edges.iter().map(move |edge| edge.parent(around))
+    }
+
+    /// Very long rings among those of the region.
+    pub(crate) fn hubs(&self) -> &Hubs {
+        &self.hubs
+    }
+
     /// The new vertices with what they split.
     pub(crate) fn odd(&self) -> impl ExactSizeIterator<Item = (VertexId, &SplitEdge)> {
         self.edges.iter().enumerate().map(|(k, edge)| (VertexId::new(self.first + k), edge))
     }
 }
 
-impl Parents for Plan {
-    fn count(&self) -> usize {
-        self.edges.len()
-    }
-
-    fn try_for_each<E>(
-        &self,
-        around: Neighborhood<'_>,
-        mut visit: impl FnMut(Parent) -> Result<(), E>,
-    ) -> Result<(), E> {
-        self.edges.iter().try_for_each(|edge| visit(edge.parent(around)))
-    }
-}
-
 /// Reads what is to be split. O(edges at the vertices of the region).
 pub(crate) fn plan(rotation: &RotationSystem, history: &History, region: &Region, scratch: &mut Scratch) -> Plan {
+    let hubs = Hubs::among(rotation, region.vertices(rotation.vertex_count()).iter().copied());
     let mut planner = Planner {
         rotation,
         history,
         peers: Peers::of(history, VertexId::new(0)),
-        hubs: Hubs::among(rotation, region.vertices(rotation.vertex_count()).iter().copied()),
-        plan: Plan { first: rotation.vertex_count(), edges: Vec::new(), added_faces: 0 },
+        plan: Plan { first: rotation.vertex_count(), edges: Vec::new(), added_faces: 0, hubs },
     };
     match region.kind() {
         RegionKind::Everything => {
@@ -106,7 +103,6 @@ struct Planner<'a> {
     history: &'a History,
     /// Of the vertex at hand.
     peers: Peers,
-    hubs: Hubs,
     plan: Plan,
 }
 
@@ -136,7 +132,7 @@ impl Planner<'_> {
 
     #[inline]
     fn slot(&self, v: VertexId, neighbor: VertexId) -> usize {
-        self.hubs.slot(self.rotation, v, neighbor).expect("rings are symmetric")
+        self.plan.hubs.slot(self.rotation, v, neighbor).expect("rings are symmetric")
     }
 
     /// Plans the edge from `v` to the greater neighbour at a slot.
@@ -146,9 +142,7 @@ impl Planner<'_> {
         let w = ring.neighbors()[slot];
         let sides = [ring.slot_before(slot), ring.slot_after(slot)];
         self.plan.added_faces += sides.into_iter().flatten().count();
-        if !self.peers.contain(v) {
-            self.peers = Peers::of(self.history, v);
-        }
+        self.peers.move_to(self.history, v);
         let runs_down = self.peers.run_inward(ring.corners_at(slot), w);
         let (slot, slot_in_w) = (slot as u32, self.slot(w, v) as u32);
         let edge = if runs_down {

@@ -8,14 +8,17 @@
 
 use std::ops::{Range, RangeFrom};
 
-use super::parents::Peers;
-use crate::id::VertexId;
+use super::peers::Peers;
+use crate::id::{Edge, VertexId};
 use crate::parallel;
 use crate::rotation::{Hubs, RingBuf, RotationSystem};
 use crate::step::{History, Parent};
 
 /// So many old vertices are taken at a time; what is made of them stays in the nearest cache.
 const PART: usize = 1 << 8;
+
+/// So many old vertices make a block.
+const BLOCK: usize = 1 << 16;
 
 /// The edges of a mesh, numbered.
 pub(crate) struct Whole<'a> {
@@ -39,47 +42,68 @@ struct OwnEdges {
 impl<'a> Whole<'a> {
     /// Numbers the edges. O(edges), and 8 bytes a vertex.
     pub(crate) fn new(rotation: &'a RotationSystem, history: &'a History) -> Self {
-        let mut own = Vec::with_capacity(rotation.vertex_count() + 1);
-        let lengths = (0..rotation.vertex_count().div_ceil(PART)).map(|part| PART.min(rotation.vertex_count() - part * PART));
-        parallel::append_parts(&mut own, lengths, OwnEdges::default, |_, part, own| {
-            let mut peers = Peers::of(history, VertexId::new(part * PART));
-            for (v, own) in (part * PART..).map(VertexId::new).zip(own) {
-                peers.move_to(history, v);
-                *own = OwnEdges::count(rotation, &peers, v);
-            }
-        });
+        let vertices = rotation.vertex_count();
+        let mut own = Vec::with_capacity(vertices + 1);
+        parallel::append_parts(
+            &mut own,
+            parts(0..vertices).map(|part| part.len()),
+            OwnEdges::default,
+            |_, part, own| {
+                let mut peers = Peers::of(history, VertexId::new(part * PART));
+                for (v, own) in (part * PART..).map(VertexId::new).zip(own) {
+                    peers.move_to(history, v);
+                    *own = OwnEdges::count(rotation, &peers, v);
+                }
+            },
+        );
         own.push(OwnEdges::default());
         let mut edges = 0;
         for own in &mut own {
             edges += std::mem::replace(&mut own.first, edges);
         }
-        Self { rotation, history, own, hubs: Hubs::among(rotation, rotation.vertices()) }
+        let hubs = parallel::filter(0..vertices, |v| Hubs::is_long(rotation, VertexId::new(v)));
+        Self { rotation, history, own, hubs: Hubs::among(rotation, hubs.into_iter().map(VertexId::new)) }
+    }
+
+    /// Very long rings.
+    pub(crate) fn hubs(&self) -> &Hubs {
+        &self.hubs
+    }
+
+    /// All vertices in pieces, after each of which a caller can be asked whether to go on.
+    pub(crate) fn blocks(&self) -> impl Iterator<Item = Range<usize>> + use<> {
+        pieces(0..self.rotation.vertex_count(), BLOCK)
     }
 
     /// The rings after the split, those of the old vertices first. O(edges).
     pub(crate) fn rings(&self) -> Vec<RingBuf> {
-        let old = self.rotation.vertex_count();
-        let mut rings = Vec::with_capacity(old + self.rotation.edge_count());
+        let vertices = 0..self.rotation.vertex_count();
+        let mut rings = Vec::with_capacity(vertices.len() + self.rotation.edge_count());
         let blank = || RingBuf::regular([VertexId::GAP; 6]);
-        parallel::append_parts(&mut rings, self.parts().map(|part| part.len()), blank, |_, part, rings| {
+        parallel::append_parts(&mut rings, parts(vertices.clone()).map(|part| part.len()), blank, |_, part, rings| {
             for (v, ring) in (part * PART..).map(VertexId::new).zip(rings) {
                 self.write_even(v, ring);
             }
         });
-        parallel::append_parts(&mut rings, self.odd_lengths(), blank, |evens, part, rings| {
+        parallel::append_parts(&mut rings, self.odd_lengths(vertices.clone()), blank, |evens, part, rings| {
             let mut rings = rings.iter_mut();
-            for v in self.part(part) {
-                self.write_odd_from(v, evens, &mut rings);
+            for v in piece(vertices.clone(), PART, part) {
+                self.write_odd_from(VertexId::new(v), evens, &mut rings);
             }
         });
         rings
     }
 
-    /// Appends what is made of each edge, in order.
-    pub(crate) fn append_odd<T: Default + Send + Sync>(&self, list: &mut Vec<T>, make: impl Fn(Parent) -> T + Sync) {
-        parallel::append_parts(list, self.odd_lengths(), T::default, |_, part, made| {
+    /// Appends what is made of each edge that belongs to one of the vertices, in order.
+    pub(crate) fn append_odd<T: Default + Send + Sync>(
+        &self,
+        vertices: Range<usize>,
+        list: &mut Vec<T>,
+        make: impl Fn(Parent) -> T + Sync,
+    ) {
+        parallel::append_parts(list, self.odd_lengths(vertices.clone()), T::default, |_, part, made| {
             let mut made = made.iter_mut();
-            for v in self.part(part) {
+            for v in piece(vertices.clone(), PART, part).map(VertexId::new) {
                 let OwnEdges { first, mut slots, inward } = self.own[v.index()];
                 let regular = self.rotation.regular(v).map(Around::new);
                 let mut irregular = 0..;
@@ -98,6 +122,11 @@ impl<'a> Whole<'a> {
         });
     }
 
+    /// How many edges belong to the vertices of each part of a range.
+    fn odd_lengths(&self, vertices: Range<usize>) -> impl Iterator<Item = usize> {
+        parts(vertices).map(|part| (self.own[part.end].first - self.own[part.start].first) as usize)
+    }
+
     #[inline(never)]
     fn irregular_parent(&self, v: VertexId, slots: &mut RangeFrom<usize>) -> Parent {
         let ring = self.rotation.ring(v);
@@ -107,17 +136,10 @@ impl<'a> Whole<'a> {
         Parent::read(v, w, corners, Peers::of(self.history, v).run_inward(corners, w))
     }
 
-    fn parts(&self) -> impl ExactSizeIterator<Item = Range<usize>> + use<> {
-        let vertices = self.rotation.vertex_count();
-        (0..vertices.div_ceil(PART)).map(move |part| part * PART..vertices.min((part + 1) * PART))
-    }
-
-    fn part(&self, part: usize) -> impl Iterator<Item = VertexId> + use<> {
-        (part * PART..self.rotation.vertex_count().min((part + 1) * PART)).map(VertexId::new)
-    }
-
-    fn odd_lengths(&self) -> impl ExactSizeIterator<Item = usize> {
-        self.parts().map(|part| (self.own[part.end].first - self.own[part.start].first) as usize)
+    /// The new vertex on an edge, which exists.
+    pub(crate) fn on(&self, edge: Edge) -> VertexId {
+        let [v, w] = edge.ends();
+        self.vertex(self.number(v, w))
     }
 
     /// The new vertex on the edge with a number.
@@ -188,7 +210,8 @@ impl<'a> Whole<'a> {
             let slot = next_bit(&mut slots);
             let w = old[slot];
             let (Some(at_w), Some(ring)) = (evens[w.index()].as_regular(), ring.as_regular_mut()) else {
-                let parent = Parent::read(v, w, [Some(old[(slot + 1) % 6]), Some(old[(slot + 5) % 6])], inward >> slot & 1 == 1);
+                let parent =
+                    Parent::read(v, w, [Some(old[(slot + 1) % 6]), Some(old[(slot + 5) % 6])], inward >> slot & 1 == 1);
                 *ring = self.irregular_odd(&parent, evens);
                 continue;
             };
@@ -225,7 +248,8 @@ impl OwnEdges {
             let count = rotation.neighbors(v).iter().filter(|&&w| v < w).count();
             return Self { first: count as u32, ..Self::default() };
         };
-        let bits = |is: &dyn Fn(VertexId) -> bool| (0..6).fold(0_u8, |bits, slot| bits | u8::from(is(six[slot])) << slot);
+        let bits =
+            |is: &dyn Fn(VertexId) -> bool| (0..6).fold(0_u8, |bits, slot| bits | u8::from(is(six[slot])) << slot);
         let slots = bits(&|w| v < w);
         let around = Around::new(six);
         let inward = (0..6).fold(0_u8, |bits, slot| {
@@ -250,6 +274,20 @@ const RANKS: [[u8; 8]; 64] = {
     }
     ranks
 };
+
+/// A range cut into pieces of a given length; the last may be shorter.
+fn pieces(range: Range<usize>, length: usize) -> impl Iterator<Item = Range<usize>> {
+    (0..range.len().div_ceil(length)).map(move |k| piece(range.clone(), length, k))
+}
+
+fn piece(range: Range<usize>, length: usize, k: usize) -> Range<usize> {
+    let start = range.start + k * length;
+    start..range.end.min(start + length)
+}
+
+fn parts(vertices: Range<usize>) -> impl Iterator<Item = Range<usize>> {
+    pieces(vertices, PART)
+}
 
 /// The smallest slot of a set, which is taken out.
 #[inline]

@@ -23,10 +23,6 @@ impl Parent {
     /// The edge between two vertices with the corners left and right of `v -> w`, read from `w` if it runs towards `v`.
     #[inline]
     pub(crate) fn read(v: VertexId, w: VertexId, [left, right]: [Option<VertexId>; 2], inward: bool) -> Self {
-        if inward {
-            Self { p: w, q: v, left: right, right: left }
-        } else {
-            Self { p: v, q: w, left, right }
-        }
+        if inward { Self { p: w, q: v, left: right, right: left } } else { Self { p: v, q: w, left, right } }
     }
 }

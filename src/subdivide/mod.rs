@@ -179,15 +179,25 @@ impl Subdivider {
         let (old, new) = (mesh.vertex_count(), mesh.edge_count());
         control.allow(old + new, mesh.face_count(), 3 * mesh.face_count())?;
         let whole = Whole::new(mesh.rotation(), history);
-        let moved = with_scheme!(&self.scheme, scheme => positions::of_whole(scheme, mesh, &whole, control)?);
+        let new_positions = with_scheme!(&self.scheme, scheme => positions::of_whole(scheme, mesh, &whole, control)?);
 
         // From here on nothing can fail.
         let rings = whole.rings();
+        let mut sharp: Vec<(VertexId, Edge)> =
+            mesh.tags().sharp_edges().into_iter().map(|edge| (whole.on(edge), edge)).collect();
+        sharp.sort_unstable();
         let (rotation, positions, tags) = mesh.parts_mut();
-        *positions = moved;
-        let boundary = rotation.boundary_edge_count();
+        *positions = new_positions;
+        // In the order of the new vertices, as when a region is split.
+        for (x, edge) in sharp {
+            tags.split(edge, x);
+        }
+        let max_valence = match new {
+            0 => 0,
+            edges if edges == rotation.boundary_edge_count() => 4,
+            _ => 6,
+        };
         rotation.replace_by_split(rings);
-        let max_valence = match new { 0 => 0, edges if edges == boundary => 4, _ => 6 };
         history.record(old + new, std::iter::empty(), &[], max_valence);
         Ok(Step {
             selection: if selection.is_empty() { Selection::empty() } else { Selection::all(old + new) },
@@ -216,10 +226,7 @@ impl Subdivider {
         let levels = child_levels(history, &plan)?;
 
         let moving = region.vertices(mesh.vertex_count());
-        let movers = moving.iter().copied();
-        let moved = with_scheme!(&self.scheme, scheme => {
-            positions::append_odd(scheme, mesh, movers, &plan, control)?
-        });
+        let moved = with_scheme!(&self.scheme, scheme => positions::append_odd(scheme, mesh, &moving, &plan, control)?);
 
         // From here on nothing can fail.
         let (reach, moves_even) = (self.scheme.reach(), self.scheme.moves_even());

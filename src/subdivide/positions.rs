@@ -6,12 +6,13 @@ use super::Control;
 use crate::error::RefineError;
 use crate::id::VertexId;
 use crate::mesh::{Mesh, Neighborhood};
-use crate::scheme::{MaskSink, Scheme};
 use crate::parallel;
-use crate::split::Parents;
+use crate::scheme::{MaskSink, Scheme};
+use crate::split::quadrisect::Plan;
 use crate::split::whole::Whole;
+use crate::step::Parent;
 
-/// After how many new positions they are stored, and the caller is asked whether to go on.
+/// After how many new positions of a region they are stored, and the caller is asked whether to go on.
 const BUFFERED: usize = 1 << 10;
 
 /// Appends the positions of the new vertices and answers with those of the moved ones, which are not written yet.
@@ -21,51 +22,41 @@ const BUFFERED: usize = 1 << 10;
 pub(super) fn append_odd<S: Scheme>(
     scheme: &S,
     mesh: &mut Mesh,
-    moving: impl ExactSizeIterator<Item = VertexId>,
-    parents: &impl Parents,
+    moving: &[VertexId],
+    plan: &Plan,
     control: &mut Control<'_>,
 ) -> Result<Vec<DVec3>, RefineError> {
     let (rotation, positions, tags) = mesh.parts_mut();
-    let around = Neighborhood::new(rotation, tags);
+    let around = Neighborhood::new(rotation, tags).with_hubs(plan.hubs());
     let old = positions.len();
-    let mut moved = Vec::with_capacity(if scheme.moves_even() { moving.len() } else { 0 });
-    let (new, total) = (parents.count(), parents.count() + moved.capacity());
-    let mut computed = odd(scheme, around, positions, parents, total, control);
-    if computed.is_ok() && scheme.moves_even() {
-        computed = even(scheme, around, positions, moving, &mut moved, |done| control.report(new + done, total));
-    }
+    let moving = if scheme.moves_even() { moving } else { &[] };
+    let (new, total) = (plan.edges.len(), plan.edges.len() + moving.len());
+    let mut compute = || {
+        positions.reserve(new);
+        // A few at a time, as what is appended to can not be read from; the buffer stays in the cache.
+        let mut buffer = Vec::with_capacity(BUFFERED.min(new));
+        for (done, parent) in plan.parents(around).enumerate() {
+            if done % BUFFERED == 0 {
+                positions.append(&mut buffer);
+                control.report(done, total)?;
+            }
+            buffer.push(finite(odd(scheme, around, positions, &parent), parent.p)?);
+        }
+        positions.append(&mut buffer);
+        let mut moved = Vec::with_capacity(moving.len());
+        for &v in moving {
+            if moved.len() % BUFFERED == 0 {
+                control.report(new + moved.len(), total)?;
+            }
+            moved.push(finite(even(scheme, around, positions, v), v)?);
+        }
+        Ok(moved)
+    };
+    let computed = compute();
     if computed.is_err() {
         positions.truncate(old);
     }
-    computed.map(|()| moved)
-}
-
-fn odd<S: Scheme>(
-    scheme: &S,
-    around: Neighborhood<'_>,
-    positions: &mut Vec<DVec3>,
-    parents: &impl Parents,
-    total: usize,
-    control: &mut Control<'_>,
-) -> Result<(), RefineError> {
-    let old = positions.len();
-    positions.reserve(parents.count());
-    // A few at a time, as what is appended to can not be read from; the buffer stays in the cache.
-    let mut buffer = Vec::with_capacity(BUFFERED.min(parents.count()));
-    parents.try_for_each(around, |parent| {
-        if buffer.is_empty() {
-            control.report(positions.len() - old, total)?;
-        }
-        let mut sum = WeightedSum::new(positions);
-        scheme.odd(around, &parent, &mut sum);
-        buffer.push(sum.finite(parent.p)?);
-        if buffer.len() == BUFFERED {
-            positions.append(&mut buffer);
-        }
-        Ok(())
-    })?;
-    positions.append(&mut buffer);
-    Ok(())
+    computed
 }
 
 /// The positions after a split of everything, the old vertices first.
@@ -75,45 +66,52 @@ pub(super) fn of_whole<S: Scheme + Sync>(
     whole: &Whole<'_>,
     control: &mut Control<'_>,
 ) -> Result<Vec<DVec3>, RefineError> {
-    let (around, old) = (mesh.neighborhood(), mesh.positions());
-    let mut new = Vec::with_capacity(old.len() + mesh.edge_count());
-    let total = new.capacity();
+    let (around, old) = (mesh.neighborhood().with_hubs(whole.hubs()), mesh.positions());
+    let total = old.len() + mesh.edge_count();
+    let mut new = Vec::with_capacity(total);
     if scheme.moves_even() {
-        parallel::append(&mut new, 0..old.len(), |v| {
-            let mut sum = WeightedSum::new(old);
-            scheme.even(around, VertexId::new(v), &mut sum);
-            sum.total.unwrap_or(DVec3::NAN)
-        });
+        for block in whole.blocks() {
+            control.report(new.len(), total)?;
+            parallel::append(&mut new, block.clone(), |v| even(scheme, around, old, VertexId::new(v)));
+            if let Some(v) = parallel::find(block, |v| !new[v].is_finite()) {
+                return Err(RefineError::NonFinite(VertexId::new(v)));
+            }
+        }
     } else {
         new.extend_from_slice(old);
     }
-    whole.append_odd(&mut new, |parent| {
-        let mut sum = WeightedSum::new(old);
-        scheme.odd(around, &parent, &mut sum);
-        sum.total.unwrap_or(DVec3::NAN)
-    });
-    control.report(total, total)?;
+    for block in whole.blocks() {
+        let done = new.len();
+        control.report(done, total)?;
+        whole.append_odd(block.clone(), &mut new, |parent| odd(scheme, around, old, &parent));
+        if let Some(k) = parallel::find(done..new.len(), |k| !new[k].is_finite()) {
+            let mut ends = Vec::new();
+            whole.append_odd(block, &mut ends, |parent| Some(parent.p));
+            return Err(RefineError::NonFinite(ends[k - done].expect("an edge has an end")));
+        }
+    }
     Ok(new)
 }
 
-/// Adds the new positions of vertices that move; `report` hears how many there are.
-fn even<S: Scheme>(
-    scheme: &S,
-    around: Neighborhood<'_>,
-    positions: &[DVec3],
-    moving: impl Iterator<Item = VertexId>,
-    moved: &mut Vec<DVec3>,
-    mut report: impl FnMut(usize) -> Result<(), RefineError>,
-) -> Result<(), RefineError> {
-    for v in moving {
-        if moved.len() % BUFFERED == 0 {
-            report(moved.len())?;
-        }
-        let mut sum = WeightedSum::new(positions);
-        scheme.even(around, v, &mut sum);
-        moved.push(sum.finite(v)?);
-    }
-    Ok(())
+/// The new position of an old vertex.
+#[inline]
+fn even<S: Scheme>(scheme: &S, around: Neighborhood<'_>, positions: &[DVec3], v: VertexId) -> DVec3 {
+    let mut sum = WeightedSum::new(positions);
+    scheme.even(around, v, &mut sum);
+    sum.total()
+}
+
+/// The position of a new vertex.
+#[inline]
+fn odd<S: Scheme>(scheme: &S, around: Neighborhood<'_>, positions: &[DVec3], parent: &Parent) -> DVec3 {
+    let mut sum = WeightedSum::new(positions);
+    scheme.odd(around, parent, &mut sum);
+    sum.total()
+}
+
+/// The position, or the error for which the vertex to blame is named.
+fn finite(position: DVec3, v: VertexId) -> Result<DVec3, RefineError> {
+    if position.is_finite() { Ok(position) } else { Err(RefineError::NonFinite(v)) }
 }
 
 /// A mask applied to positions as it comes, group by group.
@@ -129,10 +127,10 @@ impl<'a> WeightedSum<'a> {
         Self { positions, total: None }
     }
 
-    /// The sum, or the error that it is not finite, for which the vertex to blame is named.
+    /// The sum; not a number if the mask is empty, which no scheme's is.
     #[inline]
-    fn finite(self, v: VertexId) -> Result<DVec3, RefineError> {
-        self.total.filter(|total| total.is_finite()).ok_or(RefineError::NonFinite(v))
+    fn total(self) -> DVec3 {
+        self.total.unwrap_or(DVec3::NAN)
     }
 }
 

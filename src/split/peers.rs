@@ -1,22 +1,12 @@
-//! The edges that a step splits, and the direction in which each is read.
+//! The direction in which the edge of a new vertex is read.
 
 use std::ops::Range;
 
 use crate::id::VertexId;
-use crate::mesh::Neighborhood;
-use crate::step::{History, Parent};
-
-/// The edges that a step splits, in the order of their new vertices.
-pub(crate) trait Parents {
-    /// How many there are.
-    fn count(&self) -> usize;
-
-    /// Shows them one by one, with their surroundings before the step, until there is an error.
-    fn try_for_each<E>(&self, around: Neighborhood<'_>, visit: impl FnMut(Parent) -> Result<(), E>) -> Result<(), E>;
-}
+use crate::step::History;
 
 /// The vertices made in one step, among which the direction is decided in which a parent is read; the rule stands at
-/// [`Parent`].
+/// [`Parent`](crate::step::Parent).
 #[derive(Clone, Debug)]
 pub(super) struct Peers(Range<usize>);
 
@@ -32,11 +22,6 @@ impl Peers {
         if !self.0.contains(&v.index()) {
             *self = Self::of(history, v);
         }
-    }
-
-    #[inline]
-    pub(super) fn contain(&self, v: VertexId) -> bool {
-        self.0.contains(&v.index())
     }
 
     /// Whether the edge from one of them to the greater id `w`, between these corners, is read from `w`.
