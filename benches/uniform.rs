@@ -2,7 +2,7 @@
 //!
 //! A torus of 5,120 triangles is refined to 1.3 million by four steps. Beside it stand plain copies of as many bytes as the
 //! result holds: into fresh memory, whose pages the system has to provide first, as it has for a growing mesh, and into
-//! memory that was touched before.
+//! memory that was touched before. With the feature `parallel` all is measured on one thread and on two.
 
 #![allow(clippy::print_stdout, reason = "the memory is told beside the times")]
 
@@ -17,6 +17,10 @@ use vvmesh::step::{History, Keep};
 use vvmesh::subdivide::{Control, Subdivider};
 use vvmesh::{Mesh, shapes};
 
+/// The allocator of the binary.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 const STEPS: u32 = 4;
 
 fn refined(subdivider: &Subdivider, mut mesh: Mesh) -> Mesh {
@@ -28,6 +32,40 @@ fn refined(subdivider: &Subdivider, mut mesh: Mesh) -> Mesh {
             .expect("a torus can be refined");
     }
     mesh
+}
+
+#[cfg(feature = "parallel")]
+const THREADS: [usize; 2] = [1, 2];
+#[cfg(not(feature = "parallel"))]
+const THREADS: [usize; 1] = [1];
+
+/// Threads that wait for work.
+struct Pool {
+    #[cfg(feature = "parallel")]
+    threads: rayon::ThreadPool,
+}
+
+impl Pool {
+    #[cfg(feature = "parallel")]
+    fn new(threads: usize) -> Self {
+        let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        Self { threads: builder.build().expect("threads can be started") }
+    }
+
+    #[cfg(feature = "parallel")]
+    fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        self.threads.install(work)
+    }
+
+    #[cfg(not(feature = "parallel"))]
+    fn new(_threads: usize) -> Self {
+        Self {}
+    }
+
+    #[cfg(not(feature = "parallel"))]
+    fn run<T>(&self, work: impl FnOnce() -> T) -> T {
+        work()
+    }
 }
 
 fn uniform(criterion: &mut Criterion) {
@@ -44,9 +82,13 @@ fn uniform(criterion: &mut Criterion) {
     ];
     for (name, scheme) in schemes {
         let subdivider = Subdivider::new(scheme, Uniform);
-        group.bench_function(BenchmarkId::new(name, faces), |bencher| {
-            bencher.iter_batched(|| coarse.clone(), |mesh| refined(&subdivider, mesh), BatchSize::PerIteration);
-        });
+        for threads in THREADS {
+            let (name, pool) = (format!("{name}-{threads}"), Pool::new(threads));
+            group.bench_function(BenchmarkId::new(name, faces), |bencher| {
+                let refine = |mesh| pool.run(|| refined(&subdivider, mesh));
+                bencher.iter_batched(|| coarse.clone(), refine, BatchSize::PerIteration);
+            });
+        }
     }
 
     let result = refined(&Subdivider::new(Loop::default(), Uniform), coarse.clone());
