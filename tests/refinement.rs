@@ -4,11 +4,11 @@
 
 mod common;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use common::random::{Closed, Picks, Random, Surface, WithBoundary, check, triangles};
-use common::run::{Run, bits, schemes};
+use common::run::{Run, bits, renamed, schemes};
 use common::step_model::StepModel;
 use vvmesh::adaptive::{AdaptiveMethod, Incremental, Simple, Uniform};
 use vvmesh::error::RefineError;
@@ -275,19 +275,6 @@ fn the_256th_level_is_refused() {
     let selection = [a, near].into_iter().collect();
     assert_unchanged(&mut run, &RefineError::TooDeep, |run| one_step(run, &subdivider, &selection));
     assert_eq!(run.mesh.rotation().validate_triangles(), []);
-}
-
-/// For every vertex of one run the one of another with the same name, given the same for the input.
-fn renamed(run: &Run, other: &Run, input: &[VertexId]) -> Vec<VertexId> {
-    let made = |run: &Run, v| run.history.parents(v).map(|[p, q]| Edge::new(p, q));
-    let by_parents: BTreeMap<Edge, VertexId> =
-        other.mesh.vertices().filter_map(|v| made(other, v).map(|edge| (edge, v))).collect();
-    let mut same = input.to_vec();
-    for v in run.mesh.vertices().skip(input.len()) {
-        let [p, q] = run.history.parents(v).unwrap();
-        same.push(by_parents[&Edge::new(same[p.index()], same[q.index()])]);
-    }
-    same
 }
 
 /// Other ids for the input give the same surface. Sums are taken in another order, so up to rounding: some 30 terms of

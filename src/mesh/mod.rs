@@ -3,7 +3,8 @@
 //! It is always an oriented 2-manifold, with or without boundary: [`Mesh::from_triangles`] refuses everything else with
 //! all reasons, and whatever changes a mesh keeps it one.
 //!
-//! Read in this order: [`Mesh`], [`Tags`] and [`VertexClass`], [`Neighborhood`], [`Sector`].
+//! Read in this order: [`Mesh`], [`Tags`] and [`VertexClass`], [`Neighborhood`], [`Sector`], then `order` (other vertex
+//! numbers, as a [`Permutation`]).
 //!
 //! **Deliberately not here**: birth levels and parents of vertices. They belong to a run of refinements, not to a mesh,
 //! and live in [`History`](crate::step::History).
@@ -12,11 +13,14 @@ mod boundary;
 mod build;
 mod edit;
 mod neighborhood;
+mod order;
+mod permutation;
 mod sector;
 mod tags;
 
 pub use boundary::BoundaryPolicy;
 pub use neighborhood::{Neighborhood, VertexClass};
+pub use permutation::Permutation;
 pub use sector::Sector;
 pub use tags::Tags;
 

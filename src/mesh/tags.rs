@@ -123,6 +123,21 @@ impl Tags {
         }
     }
 
+    /// The same tags under other names of the vertices.
+    pub(super) fn renamed(&self, name: impl Fn(VertexId) -> VertexId) -> Self {
+        let mut slots = Vec::new();
+        let mut entries = self.entries.clone();
+        for (slot, entry) in entries.iter_mut().enumerate() {
+            entry.vertex = name(entry.vertex);
+            entry.sharp.iter_mut().for_each(|w| *w = name(*w));
+            if slots.len() <= entry.vertex.index() {
+                slots.resize(entry.vertex.index() + 1, NONE);
+            }
+            slots[entry.vertex.index()] = slot as u32;
+        }
+        Self { slots, entries }
+    }
+
     pub(crate) fn memory_bytes(&self) -> usize {
         self.slots.capacity() * size_of::<u32>() + self.entries.capacity() * size_of::<Entry>()
     }

@@ -221,6 +221,17 @@ impl RotationSystem {
         self.rings[v.index()].as_regular()
     }
 
+    /// The same system under other names: the rings of these vertices in this order, each from its start, `name` being
+    /// what a vertex is called afterwards.
+    pub(crate) fn renumbered(
+        &self,
+        order: impl Iterator<Item = VertexId>,
+        name: impl Fn(VertexId) -> VertexId,
+    ) -> Self {
+        let rings = order.map(|v| RingBuf::like(self.ring(v), &name)).collect();
+        Self { rings, entries: self.entries, open: self.open }
+    }
+
     /// Takes the rings after a split of everything: every edge became two, every triangle four, every gap two.
     pub(crate) fn replace_by_split(&mut self, rings: Vec<RingBuf>) {
         self.entries = 2 * (2 * self.edge_count() + 3 * self.triangle_count());

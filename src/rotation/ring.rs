@@ -25,6 +25,9 @@ impl RingBuf {
 
     /// A ring with other neighbours at the same slots, and the same gap.
     pub(crate) fn like(ring: Ring<'_>, neighbor: impl FnMut(VertexId) -> VertexId) -> Self {
+        if let Some(&six) = ring.as_regular() {
+            return Self::regular(six.map(neighbor));
+        }
         let gap = ring.open.then_some(VertexId::GAP);
         Self(ring.iter().map(neighbor).chain(gap).collect())
     }

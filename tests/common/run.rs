@@ -1,12 +1,14 @@
 //! Runs of refinements, and a run beside uniform refinement of the same mesh.
 
+use std::collections::BTreeMap;
+
 use vvmesh::glam::DVec3;
 use vvmesh::scheme::{AnyScheme, Butterfly, Loop, LoopWeights, Midpoint, ModifiedButterfly};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
 use vvmesh::step::{History, Keep};
 use vvmesh::subdivide::{Control, Step, Subdivider};
-use vvmesh::{Mesh, VertexId};
+use vvmesh::{Edge, Mesh, VertexId};
 
 /// Every scheme with its name.
 pub fn schemes() -> [(&'static str, AnyScheme); 5] {
@@ -41,12 +43,7 @@ impl Run {
 
     /// All that can be seen of the mesh, in bits.
     pub fn bits(&self) -> MeshBits {
-        MeshBits {
-            rings: self.mesh.vertices().map(|v| ring(&self.mesh, v)).collect(),
-            positions: self.mesh.positions().iter().map(|&p| bits(p)).collect(),
-            sharp: self.mesh.tags().sharp_edges().iter().map(|edge| edge.ends()).collect(),
-            corners: self.mesh.tags().corners(),
-        }
+        MeshBits::of(&self.mesh)
     }
 }
 
@@ -58,6 +55,17 @@ pub struct MeshBits {
     corners: Vec<VertexId>,
 }
 
+impl MeshBits {
+    pub fn of(mesh: &Mesh) -> Self {
+        Self {
+            rings: mesh.vertices().map(|v| ring(mesh, v)).collect(),
+            positions: mesh.positions().iter().map(|&p| bits(p)).collect(),
+            sharp: mesh.tags().sharp_edges().iter().map(|edge| edge.ends()).collect(),
+            corners: mesh.tags().corners(),
+        }
+    }
+}
+
 pub fn bits(position: DVec3) -> [u64; 3] {
     position.to_array().map(f64::to_bits)
 }
@@ -65,6 +73,19 @@ pub fn bits(position: DVec3) -> [u64; 3] {
 /// A ring from its start, and whether it is open.
 pub fn ring(mesh: &Mesh, v: VertexId) -> (Vec<VertexId>, bool) {
     (mesh.ring(v).neighbors().to_vec(), mesh.ring(v).is_open())
+}
+
+/// For every vertex of one run the one of another with the same name, given the same for the input.
+pub fn renamed(run: &Run, other: &Run, input: &[VertexId]) -> Vec<VertexId> {
+    let made = |run: &Run, v| run.history.parents(v).map(|[p, q]| Edge::new(p, q));
+    let by_parents: BTreeMap<Edge, VertexId> =
+        other.mesh.vertices().filter_map(|v| made(other, v).map(|edge| (edge, v))).collect();
+    let mut same = input.to_vec();
+    for v in run.mesh.vertices().skip(input.len()) {
+        let [p, q] = run.history.parents(v).expect("it is no input vertex");
+        same.push(by_parents[&Edge::new(same[p.index()], same[q.index()])]);
+    }
+    same
 }
 
 /// A run with, for each of its vertices, the one of the same name in a uniform run of the same number of steps.
