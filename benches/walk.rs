@@ -1,10 +1,21 @@
-//! What does it cost to walk over rings: all edges, all triangles, a disk, a neighbour after another?
+//! What does it cost to walk over rings: all edges, all triangles, a sum round every vertex, a disk, a search over
+//! everything by this crate and by petgraph, and seeing that all of it is sound?
 
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use petgraph::visit::{Bfs, Walker};
+use vvmesh::glam::DVec3;
 use vvmesh::scratch::Scratch;
-use vvmesh::{VertexId, query, shapes};
+use vvmesh::{Mesh, VertexId, petgraph, query, shapes};
+
+/// For every vertex the sum of the ways to its neighbours: a Laplacian with equal weights.
+fn laplacian(mesh: &Mesh, sums: &mut [DVec3]) {
+    for (v, sum) in mesh.vertices().zip(sums) {
+        let p = mesh.position(v);
+        *sum = mesh.ring(v).iter().map(|w| mesh.position(w) - p).sum();
+    }
+}
 
 fn walk(criterion: &mut Criterion) {
     let mesh = shapes::torus(1000, 500, 2.0, 1.0);
@@ -22,6 +33,32 @@ fn walk(criterion: &mut Criterion) {
     group.bench_function(BenchmarkId::new("left-of-each-edge", faces), |bencher| {
         let left = |edge: vvmesh::DirectedEdge| rotation.left_of(edge.from, edge.to).map_or(0, VertexId::index);
         bencher.iter(|| rotation.directed_edges().fold(0, |sum, edge| sum ^ left(edge)));
+    });
+    group.bench_function(BenchmarkId::new("validate", faces), |bencher| {
+        bencher.iter(|| assert!(rotation.validate().is_empty()));
+    });
+    group.bench_function(BenchmarkId::new("validate-triangles", faces), |bencher| {
+        bencher.iter(|| assert!(rotation.validate_triangles().is_empty()));
+    });
+
+    group.throughput(Throughput::Elements(mesh.vertex_count() as u64));
+    let mut sums = vec![DVec3::ZERO; mesh.vertex_count()];
+    group.bench_function(BenchmarkId::new("laplacian", faces), |bencher| {
+        bencher.iter(|| {
+            laplacian(&mesh, &mut sums);
+            black_box(&mut sums);
+        });
+    });
+    let start = VertexId::new(0);
+    let (mut disk, mut scratch) = (query::Disk::new(), Scratch::new());
+    group.bench_function(BenchmarkId::new("search-disk", faces), |bencher| {
+        bencher.iter(|| {
+            disk.search(rotation, [start], usize::MAX, &mut scratch);
+            assert_eq!(disk.vertices().len(), mesh.vertex_count());
+        });
+    });
+    group.bench_function(BenchmarkId::new("search-petgraph", faces), |bencher| {
+        bencher.iter(|| assert_eq!(Bfs::new(rotation, start).iter(rotation).count(), mesh.vertex_count()));
     });
     group.finish();
 

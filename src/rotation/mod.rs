@@ -14,6 +14,7 @@ mod edit;
 mod hubs;
 mod reverse;
 mod ring;
+mod sound;
 mod transaction;
 mod validate;
 mod walk;

@@ -38,6 +38,10 @@ impl RotationSystem {
     }
 
     fn find_defects(&self, triangles: bool) -> Vec<RingDefect> {
+        if self.is_seen_sound(triangles) { Vec::new() } else { self.list_defects(triangles) }
+    }
+
+    pub(super) fn list_defects(&self, triangles: bool) -> Vec<RingDefect> {
         let reverse = ReverseSlots::new(self);
         let mut defects = Vec::new();
         let mut seen_at = vec![VertexId::GAP; self.vertex_count()];
