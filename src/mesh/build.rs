@@ -25,7 +25,7 @@ impl Mesh {
     /// # Complexity
     /// O(vertices + triangles), and O(d log d) for a vertex of more than 24 triangles.
     pub fn from_triangles(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Result<Self, BuildError> {
-        match rings(&positions, triangles) {
+        match rings(&positions, triangles.iter().copied()) {
             Some(rings) => Ok(Self { rotation: RotationSystem::from_rings(rings), positions, tags: Tags::default() }),
             None => Err(BuildError::new(FaceList::from_triangles(positions, triangles).defects())),
         }
@@ -37,65 +37,64 @@ impl Mesh {
     /// Every face that is no triangle ([`FaceList::triangulate`] makes triangles of polygons); else as
     /// [`Mesh::from_triangles`].
     pub fn from_face_list(list: &FaceList) -> Result<Self, BuildError> {
-        let mut triangles = Vec::with_capacity(list.face_count());
-        let mut others = Vec::new();
-        for (k, face) in list.faces().enumerate() {
-            match *face {
-                [a, b, c] => triangles.push([a, b, c]),
-                _ => others.push(Defect {
-                    kind: DefectKind::NotTriangle,
-                    vertices: Vec::new(),
-                    faces: vec![k],
-                    message: format!("face {k} has {} sides, a triangle is needed: triangulate first", face.len()),
-                }),
-            }
+        if let Some(rotation) = rotation_of(list) {
+            return Ok(Self { rotation, positions: list.positions.clone(), tags: Tags::default() });
         }
-        if others.is_empty() {
-            Self::from_triangles(list.positions.clone(), &triangles)
-        } else {
-            Err(BuildError::new(others))
-        }
+        let others = list.faces().enumerate().filter(|(_, face)| face.len() != 3).map(|(k, face)| Defect {
+            kind: DefectKind::NotTriangle,
+            vertices: Vec::new(),
+            faces: vec![k],
+            message: format!("face {k} has {} sides, a triangle is needed: triangulate first", face.len()),
+        });
+        let others: Vec<Defect> = others.collect();
+        Err(BuildError::new(if others.is_empty() { list.defects() } else { others }))
     }
 }
 
+/// The rings of a list of faces, if they are triangles without any defect.
+pub(crate) fn rotation_of(list: &FaceList) -> Option<RotationSystem> {
+    let triangles = list.triangles()?;
+    rings(&list.positions, triangles).map(RotationSystem::from_rings)
+}
+
 /// The rings, or `None` if there is any defect.
-fn rings(positions: &[DVec3], triangles: &[[u32; 3]]) -> Option<Vec<RingBuf>> {
+fn rings(positions: &[DVec3], triangles: impl ExactSizeIterator<Item = [u32; 3]> + Clone) -> Option<Vec<RingBuf>> {
     let count = positions.len();
     VertexId::try_new(count.saturating_sub(1))?;
-    let sound = triangles.iter().all(|&[a, b, c]| {
+    let sound = triangles.clone().all(|[a, b, c]| {
         a != b && b != c && c != a && (a as usize) < count && (b as usize) < count && (c as usize) < count
     });
     if !sound || !positions.iter().all(|p| p.is_finite()) {
         return None;
     }
 
-    // For every vertex the pairs (b, c) of its triangles (v, b, c), side by side.
+    // For every vertex the pairs (b, c) of its triangles (v, b, c), side by side. While they are put in place, the start
+    // of each vertex grows to its end.
     let mut ends = vec![0_usize; count + 1];
-    for &v in triangles.as_flattened() {
+    for v in triangles.clone().flatten() {
         ends[v as usize + 1] += 1;
     }
     for v in 0..count {
         ends[v + 1] += ends[v];
     }
     let mut pairs = vec![(0_u32, 0_u32); 3 * triangles.len()];
-    let mut free = ends.clone();
-    for &[a, b, c] in triangles {
+    for [a, b, c] in triangles {
         for (v, pair) in [(a, (b, c)), (b, (c, a)), (c, (a, b))] {
-            pairs[free[v as usize]] = pair;
-            free[v as usize] += 1;
+            let free = &mut ends[v as usize];
+            pairs[*free] = pair;
+            *free += 1;
         }
     }
 
     let mut ring = Vec::new();
-    (0..count).map(|v| chain(&mut pairs[ends[v]..ends[v + 1]], &mut ring)).collect()
+    let mut start = 0;
+    let chained =
+        ends[..count].iter().map(|&end| chain(&mut pairs[std::mem::replace(&mut start, end)..end], &mut ring));
+    chained.collect()
 }
 
 /// Chains the pairs around one vertex into a ring, or answers `None` if they form no single fan.
 fn chain(pairs: &mut [(u32, u32)], ring: &mut Vec<VertexId>) -> Option<RingBuf> {
-    ring.clear();
-    if pairs.is_empty() {
-        return Some(RingBuf::default());
-    }
     let sorted = pairs.len() > SEARCHED;
     if sorted {
         pairs.sort_unstable();
@@ -103,59 +102,74 @@ fn chain(pairs: &mut [(u32, u32)], ring: &mut Vec<VertexId>) -> Option<RingBuf> 
             return None;
         }
     }
-    // Each neighbour starts at most one pair, or the edge to it carries two triangles on one side.
-    let pair_from = |b: u32| -> Option<Option<usize>> {
-        if sorted {
-            return Some(pairs.binary_search_by_key(&b, |pair| pair.0).ok());
-        }
-        let mut found = None;
-        for (k, pair) in pairs.iter().enumerate() {
-            if pair.0 == b && found.replace(k).is_some() {
-                return None;
-            }
-        }
-        Some(found)
-    };
-
-    let first = start(pairs, sorted)?;
-    let mut at = first;
-    loop {
-        ring.push(VertexId::new(pairs[at].0 as usize));
-        if ring.len() > pairs.len() {
-            return None;
-        }
-        match pair_from(pairs[at].1)? {
-            Some(after) if after == first => break,
-            Some(after) => at = after,
-            None => {
-                ring.push(VertexId::new(pairs[at].1 as usize));
-                return (ring.len() == pairs.len() + 1).then(|| RingBuf::open(ring));
-            }
+    let pairs = Pairs { pairs, sorted };
+    let Some(smallest) = pairs.smallest() else { return Some(RingBuf::default()) };
+    match pairs.follow(smallest, ring)? {
+        End::Start => (ring.len() == pairs.pairs.len() && ring.len() >= 3).then(|| RingBuf::closed(ring)),
+        End::Gap => {
+            pairs.follow(pairs.after_gap()?, ring)?;
+            (ring.len() == pairs.pairs.len() + 1).then(|| RingBuf::open(ring))
         }
     }
-    (ring.len() == pairs.len() && ring.len() >= 3).then(|| RingBuf::closed(ring))
 }
 
-/// The pair with which the ring starts: the one after the gap, else the one at the smallest neighbour. `None` if there
-/// is more than one gap.
-fn start(pairs: &[(u32, u32)], sorted: bool) -> Option<usize> {
-    let mut ends: Vec<u32> = Vec::new();
-    if sorted {
-        ends.extend(pairs.iter().map(|pair| pair.1));
+/// The pairs (b, c) of the triangles (v, b, c) around a vertex, sorted if there are many.
+///
+/// Each neighbour has to start at most one pair, or the edge to it carries two triangles on one side. That need not be
+/// looked for: the second of two such pairs is never found, so the ring comes out too short.
+struct Pairs<'a> {
+    pairs: &'a [(u32, u32)],
+    sorted: bool,
+}
+
+/// Where a chain of pairs ends.
+enum End {
+    /// Where it started.
+    Start,
+    /// At a neighbour that starts no pair.
+    Gap,
+}
+
+impl Pairs<'_> {
+    /// The first pair that a neighbour starts.
+    #[inline]
+    fn from(&self, b: u32) -> Option<usize> {
+        if self.sorted {
+            self.pairs.binary_search_by_key(&b, |pair| pair.0).ok()
+        } else {
+            self.pairs.iter().position(|pair| pair.0 == b)
+        }
+    }
+
+    /// The pair that the smallest neighbour starts.
+    #[inline]
+    fn smallest(&self) -> Option<usize> {
+        (0..self.pairs.len()).min_by_key(|&k| self.pairs[k].0)
+    }
+
+    /// Lists the neighbours from the start of a pair on. `None` if the chain goes round without coming back there.
+    fn follow(&self, first: usize, ring: &mut Vec<VertexId>) -> Option<End> {
+        ring.clear();
+        let mut at = first;
+        while ring.len() < self.pairs.len() {
+            let (b, c) = self.pairs[at];
+            ring.push(VertexId::new(b as usize));
+            match self.from(c) {
+                Some(after) if after == first => return Some(End::Start),
+                Some(after) => at = after,
+                None => {
+                    ring.push(VertexId::new(c as usize));
+                    return Some(End::Gap);
+                }
+            }
+        }
+        None
+    }
+
+    /// The pair whose start ends no pair.
+    fn after_gap(&self) -> Option<usize> {
+        let mut ends: Vec<u32> = self.pairs.iter().map(|pair| pair.1).collect();
         ends.sort_unstable();
+        (0..self.pairs.len()).find(|&k| ends.binary_search(&self.pairs[k].0).is_err())
     }
-    let is_end = |b: u32| {
-        if sorted { ends.binary_search(&b).is_ok() } else { pairs.iter().any(|pair| pair.1 == b) }
-    };
-    let mut smallest = 0;
-    let mut after_gap = None;
-    for (k, pair) in pairs.iter().enumerate() {
-        if pair.0 < pairs[smallest].0 {
-            smallest = k;
-        }
-        if !is_end(pair.0) && after_gap.replace(k).is_some() {
-            return None;
-        }
-    }
-    Some(after_gap.unwrap_or(smallest))
 }

@@ -92,6 +92,12 @@ impl FaceList {
         start..self.ends[k] as usize
     }
 
+    /// The faces as triangles, if they all are.
+    pub(crate) fn triangles(&self) -> Option<impl ExactSizeIterator<Item = [u32; 3]> + Clone> {
+        let three_each = self.ends.iter().copied().eq((3_u32..).step_by(3).take(self.ends.len()));
+        three_each.then(|| self.corners.chunks_exact(3).map(|face| [face[0], face[1], face[2]]))
+    }
+
     fn corner_ranges(&self) -> impl Iterator<Item = Range<usize>> {
         (0..self.face_count()).map(|k| self.corner_range(k))
     }
