@@ -4,7 +4,8 @@ use super::geometry::Boundary;
 use super::{Finding, FindingKind};
 use crate::error::{Defect, DefectKind};
 use crate::id::VertexId;
-use crate::mesh::Mesh;
+use crate::mesh::{self, Mesh};
+use crate::rotation::RotationSystem;
 use crate::soup::{self, EdgeTable, FaceList, Fans, Sieve};
 
 /// What [`conformity`] found.
@@ -54,14 +55,50 @@ impl Report {
 /// ```
 ///
 /// # Complexity
-/// O(n log n) in the number of corners for the rules on ids. The places of boundary vertices stand in an R-tree, which
+/// O(n log n) in the number of corners for the rules on ids, O(n) if they are those of a mesh. The places of boundary vertices stand in an R-tree, which
 /// is searched along each boundary edge: O(log n) for each edge where the vertices near to it are few.
 #[must_use]
 pub fn conformity(list: &FaceList, tolerance: Option<f64>) -> Report {
+    match mesh::rotation_of(list) {
+        Some(rotation) => of_mesh(list, &rotation, tolerance),
+        None => of_any_faces(list, tolerance),
+    }
+}
+
+/// As [`conformity`], for a mesh: what can be found is what depends on positions, and isolated vertices.
+///
+/// # Complexity
+/// O(vertices + triangles), and along the boundary as for [`conformity`].
+#[must_use]
+pub fn mesh_conformity(mesh: &Mesh, tolerance: Option<f64>) -> Report {
+    of_mesh(&mesh.to_face_list(), mesh.rotation(), tolerance)
+}
+
+/// Findings on the triangles of a mesh: there are rings exactly if there is no [`Defect`], so what is left is what depends on
+/// positions, and isolated vertices.
+fn of_mesh(list: &FaceList, rotation: &RotationSystem, tolerance: Option<f64>) -> Report {
+    let used: Vec<bool> = rotation.vertices().map(|v| rotation.valence(v) > 0).collect();
+    // Between two boundary vertices an edge has all its faces among those at the boundary.
+    let on_boundary = |v: u32| rotation.is_boundary(VertexId::new(v as usize));
+    let at_boundary: Vec<bool> = list.faces().map(|face| face.iter().any(|&v| on_boundary(v))).collect();
+    let table = EdgeTable::new(list, &at_boundary);
+    let edges = table.edges().filter(|edge| edge.is_boundary() && edge.ends().into_iter().all(on_boundary));
+    let boundary = Boundary::new(list, &table, edges.collect(), &used, tolerance);
+
+    let mut findings = boundary.t_junctions().findings;
+    findings.extend(boundary.cracks().findings);
+    findings.extend(isolated(list, &used));
+    findings.extend(soup::non_finite(list).filter_map(finding));
+    Report { findings, tolerance: boundary.tolerance() }
+}
+
+/// Findings on whatever stands in a list of faces.
+fn of_any_faces(list: &FaceList, tolerance: Option<f64>) -> Report {
     let sieve = Sieve::new(list);
     let table = EdgeTable::new(list, &sieve.kept);
     let used = list.used();
-    let boundary = Boundary::new(list, &table, &used, tolerance);
+    let edges = table.edges().filter(|edge| edge.is_boundary()).collect();
+    let boundary = Boundary::new(list, &table, edges, &used, tolerance);
     let t_junctions = boundary.t_junctions();
     let cracks = boundary.cracks();
 
@@ -83,12 +120,6 @@ pub fn conformity(list: &FaceList, tolerance: Option<f64>) -> Report {
     findings.extend(isolated(list, &used));
     findings.sort_by_key(|finding| finding.kind);
     Report { findings, tolerance: boundary.tolerance() }
-}
-
-/// As [`conformity`], for a mesh: what can be found is what depends on positions, and isolated vertices.
-#[must_use]
-pub fn mesh_conformity(mesh: &Mesh, tolerance: Option<f64>) -> Report {
-    conformity(&mesh.to_face_list(), tolerance)
 }
 
 /// A defect in the words of a check. A face of more than three sides is none here.
@@ -118,4 +149,60 @@ fn isolated(list: &FaceList, used: &[bool]) -> impl Iterator<Item = Finding> {
             faces: Vec::new(),
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::shapes;
+
+    /// A grid of which some triangles are missing and others are cut in two, without the neighbour knowing, at a point on
+    /// an edge or a little off it. `choose` answers with a number below its argument.
+    fn worn(mut choose: impl FnMut(u32) -> u32) -> FaceList {
+        let grid = shapes::grid(5, 5).to_face_list();
+        let mut list = FaceList::new(grid.positions.clone());
+        list.positions.extend([DVec3::ONE]);
+        for face in grid.faces() {
+            let [a, b, c] = [0, 1, 2].map(|k| face[k]);
+            match choose(50) {
+                0 => {}
+                1 | 2 => {
+                    let x = list.positions.len() as u32;
+                    let middle = list.positions[a as usize].midpoint(list.positions[b as usize]);
+                    list.positions.push(middle + f64::from(choose(2)) * DVec3::new(0.0, 0.0, 0.01));
+                    list.push_face(&[a, x, c]);
+                    list.push_face(&[x, b, c]);
+                }
+                _ => list.push_face(face),
+            }
+        }
+        list
+    }
+
+    #[test]
+    fn a_mesh_has_the_findings_of_its_faces() {
+        let mut state = 1_u64;
+        let mut choose = |bound: u32| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as u32 % bound
+        };
+        let mut met = Vec::new();
+        for _ in 0..600 {
+            let list = worn(&mut choose);
+            let tolerance = [None, Some(0.02)][choose(2) as usize];
+            let expected = of_any_faces(&list, tolerance);
+            assert_eq!(conformity(&list, tolerance), expected);
+            if let Ok(mut mesh) = Mesh::from_face_list(&list) {
+                assert_eq!(mesh_conformity(&mesh, tolerance), of_any_faces(&mesh.to_face_list(), tolerance));
+                met.extend(expected.findings.iter().map(|finding| finding.kind));
+                mesh.positions_mut()[choose(36) as usize].y = f64::NAN;
+                assert_eq!(mesh_conformity(&mesh, tolerance), of_any_faces(&mesh.to_face_list(), tolerance));
+            }
+        }
+        for kind in [FindingKind::TJunction, FindingKind::Crack, FindingKind::IsolatedVertex] {
+            assert!(met.iter().filter(|&&other| other == kind).count() > 15, "{kind}");
+        }
+    }
 }

@@ -53,7 +53,14 @@ pub(super) struct Gaps {
 }
 
 impl<'a> Boundary<'a> {
-    pub(super) fn new(list: &FaceList, table: &'a EdgeTable<'a>, used: &[bool], tolerance: Option<f64>) -> Self {
+    /// The boundary `edges` of a table, in its order.
+    pub(super) fn new(
+        list: &FaceList,
+        table: &'a EdgeTable<'a>,
+        edges: Vec<TableEdge<'a>>,
+        used: &[bool],
+        tolerance: Option<f64>,
+    ) -> Self {
         let bounds = list.bounds(used).unwrap_or_default();
         let greatest = bounds.map(|corner| corner.abs().max_element()).into_iter().fold(0.0, f64::max);
         let scale = match greatest {
@@ -68,7 +75,7 @@ impl<'a> Boundary<'a> {
         };
         Self {
             table,
-            edges: table.edges().filter(|edge| edge.is_boundary()).collect(),
+            edges,
             points: list.positions.iter().map(|&p| p * scale).collect(),
             scale,
             tolerance,

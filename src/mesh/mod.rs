@@ -19,6 +19,7 @@ mod sector;
 mod tags;
 
 pub use boundary::BoundaryPolicy;
+pub(crate) use build::rotation_of;
 pub use neighborhood::{Neighborhood, VertexClass};
 pub use permutation::Permutation;
 pub use sector::Sector;
