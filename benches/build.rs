@@ -22,6 +22,10 @@ fn build(criterion: &mut Criterion) {
     group.bench_function(BenchmarkId::new("conformity", faces), |bencher| {
         bencher.iter_batched(|| (), |()| check::conformity(&list, None), BatchSize::PerIteration);
     });
+    let mesh = mesh_of(&list).expect("a torus is a mesh");
+    group.bench_function(BenchmarkId::new("mesh-conformity", faces), |bencher| {
+        bencher.iter_batched(|| (), |()| check::mesh_conformity(&mesh, None), BatchSize::PerIteration);
+    });
     group.finish();
 }
 

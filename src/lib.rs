@@ -48,7 +48,8 @@
 //!
 //! Then: [`query`] (stars, disks, areas, angles, normals), [`graph`] (petgraph's algorithms on the rings), [`limit`] (where
 //! infinitely many steps lead), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and
-//! transactions), [`soup`] (faces that are no mesh yet).
+//! transactions), [`soup`] (faces that are no mesh yet), [`Mesh::reordered`] (other numbers, for a mesh whose neighbours lie
+//! far apart in memory).
 //!
 //! # Features
 //!

@@ -28,12 +28,12 @@ impl Report {
 
 /// Looks for everything that keeps a list of faces from being a conforming mesh.
 ///
-/// Faces may have any number of sides. Faces with an index out of range, degenerate ones and duplicates are told and set
-/// aside first, so a face that stands twice hides no boundary.
+/// Faces may have any number of sides. Faces with an index out of range, degenerate ones and duplicates are told and
+/// set aside first, so a face that stands twice hides no boundary.
 ///
 /// - A *T-junction* is a boundary edge with a boundary vertex within the tolerance of its inside; a vertex within the
-///   tolerance of one of the ends is not inside. There is one finding for each such edge, with its ends and the vertices
-///   on it from the smaller end on (the first 64 found, if there are more), and its face.
+///   tolerance of one of the ends is not inside. There is one finding for each such edge, with its ends and the
+///   vertices on it from the smaller end on (the first 64 found, if there are more), and its face.
 /// - A *crack* is a loop of three boundary edges, of which the vertex off the longest edge is away from it by more than
 ///   the tolerance and by less than a quarter of its length, and stands over its middle half. At one of the three
 ///   vertices the loop must be all of the boundary there, and the loop must not be the outline of one single face. Any
@@ -55,8 +55,9 @@ impl Report {
 /// ```
 ///
 /// # Complexity
-/// O(n log n) in the number of corners for the rules on ids, O(n) if they are those of a mesh. The places of boundary vertices stand in an R-tree, which
-/// is searched along each boundary edge: O(log n) for each edge where the vertices near to it are few.
+/// O(n log n) in the number of corners for the rules on ids, O(n) if they are those of a mesh. The places of boundary
+/// vertices stand in an R-tree, which is searched along each boundary edge: O(log n) for each edge where the vertices
+/// near to it are few.
 #[must_use]
 pub fn conformity(list: &FaceList, tolerance: Option<f64>) -> Report {
     match mesh::rotation_of(list) {
@@ -74,8 +75,8 @@ pub fn mesh_conformity(mesh: &Mesh, tolerance: Option<f64>) -> Report {
     of_mesh(&mesh.to_face_list(), mesh.rotation(), tolerance)
 }
 
-/// Findings on the triangles of a mesh: there are rings exactly if there is no [`Defect`], so what is left is what depends on
-/// positions, and isolated vertices.
+/// Findings on the triangles of a mesh: there are rings exactly if there is no [`Defect`], so what is left is what
+/// depends on positions, and isolated vertices.
 fn of_mesh(list: &FaceList, rotation: &RotationSystem, tolerance: Option<f64>) -> Report {
     let used: Vec<bool> = rotation.vertices().map(|v| rotation.valence(v) > 0).collect();
     // Between two boundary vertices an edge has all its faces among those at the boundary.
@@ -158,8 +159,8 @@ mod tests {
     use super::*;
     use crate::shapes;
 
-    /// A grid of which some triangles are missing and others are cut in two, without the neighbour knowing, at a point on
-    /// an edge or a little off it. `choose` answers with a number below its argument.
+    /// A grid of which some triangles are missing and others are cut in two, without the neighbour knowing, at a point
+    /// on an edge or a little off it. `choose` answers with a number below its argument.
     fn worn(mut choose: impl FnMut(u32) -> u32) -> FaceList {
         let grid = shapes::grid(5, 5).to_face_list();
         let mut list = FaceList::new(grid.positions.clone());

@@ -68,8 +68,8 @@ fn rings(positions: &[DVec3], triangles: impl ExactSizeIterator<Item = [u32; 3]>
         return None;
     }
 
-    // For every vertex the pairs (b, c) of its triangles (v, b, c), side by side. While they are put in place, the start
-    // of each vertex grows to its end.
+    // For every vertex the pairs (b, c) of its triangles (v, b, c), side by side. While they are put in place, the
+    // start of each vertex grows to its end.
     let mut ends = vec![0_usize; count + 1];
     for v in triangles.clone().flatten() {
         ends[v as usize + 1] += 1;

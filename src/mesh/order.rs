@@ -3,23 +3,12 @@
 //! Rings and positions lie by vertex number. If neighbours have numbers far apart, as in a file that was shuffled, each
 //! step from neighbour to neighbour waits for the memory as soon as the mesh is larger than the caches.
 //!
-//! **What is the same after refining a renumbered mesh.** Each new vertex has its counterpart between the counterparts of
-//! its parents, with the same neighbours in the same cyclic order. (A method that splits two edges of a face may be given
-//! another [`Diagonal`](crate::split::Diagonal) where ids decide; the methods of this crate split one edge or all.) What
-//! differs:
-//! - New vertices are numbered by the smaller end of their edge, so they are numbered otherwise.
-//! - An edge between two input vertices is read from the smaller number, and the ring of an inner vertex on it starts
-//!   there. So sums may be formed in another order, and positions may differ in their last bits. With
-//!   [`Midpoint`](crate::scheme::Midpoint) they never do. With [`Loop`](crate::scheme::Loop) they are the same after the
-//!   first step, which starts from rings that were only renamed; from the second on they may differ. With
-//!   [`Butterfly`](crate::scheme::Butterfly) and [`ModifiedButterfly`](crate::scheme::ModifiedButterfly) they may differ
-//!   from the first step on.
+//! New vertices are numbered by the ids of their parents, and some sums are formed in the order of ids. So nothing in
+//! this crate reorders by itself, the program `vv` neither: what it writes has the numbers, and the bits, that follow
+//! from those of the file.
 //!
-//! For this reason nothing in this crate reorders by itself, the program `vv` neither: its output is that of the numbers
-//! that a file has.
-//!
-//! **Deliberately not here**: orders along a curve in space. [`Permutation::new`] takes any order; the breadth-first one
-//! needs no positions and refinement was faster with it (see `benches/RECORD.md`).
+//! **Deliberately not here**: orders along a curve in space. [`Permutation::new`] takes any order; the breadth-first
+//! one needs no positions and refinement was faster with it (see `benches/RECORD.md`).
 
 use super::{Mesh, Permutation};
 use crate::id::VertexId;
@@ -28,8 +17,8 @@ use crate::rotation::RotationSystem;
 impl Mesh {
     /// The mesh with its vertices renumbered breadth-first, and the permutation that did it.
     ///
-    /// Each component starts with its smallest vertex, and they are ordered by it; behind a vertex come its neighbours in
-    /// the order of its ring, those that have no number yet. What else holds is said at [`Mesh::renumbered`].
+    /// Each component starts with its smallest vertex, and they are ordered by it; behind a vertex come its neighbours
+    /// in the order of its ring, those that have no number yet. What else holds is said at [`Mesh::renumbered`].
     ///
     /// O(vertices + edges).
     ///
@@ -65,11 +54,24 @@ impl Mesh {
     /// The same mesh with other vertex numbers.
     ///
     /// Every ring has the same neighbours in the same order from the same start; positions and tags go along. So the
-    /// [inverse](Permutation::inverse) gives the mesh back as it was, bit for bit. A [`Selection`](crate::select::Selection)
-    /// or a [`History`](crate::step::History) of the mesh names its old numbers: make a history after this, and renumber
-    /// again when the last step is made.
+    /// [inverse](Permutation::inverse) gives the mesh back as it was, bit for bit. A
+    /// [`Selection`](crate::select::Selection) or a [`History`](crate::step::History) of the mesh names its old
+    /// numbers: make a history after this, and renumber again when the last step is made.
     ///
     /// O(vertices + edges).
+    ///
+    /// # Refining a renumbered mesh
+    /// Each new vertex has its counterpart between the counterparts of its parents, with the same neighbours in the
+    /// same cyclic order. (A method that splits two edges of a face may be given another
+    /// [`Diagonal`](crate::split::Diagonal) where ids decide; the methods of this crate split one edge or all.) What
+    /// differs:
+    /// - New vertices are numbered by the smaller end of their edge, so they are numbered otherwise.
+    /// - An edge between two input vertices is read from the smaller number, and the ring of an inner vertex on it
+    ///   starts there. So sums may be formed in another order, and positions may differ in their last bits. With
+    ///   [`Midpoint`](crate::scheme::Midpoint) they never do. With [`Loop`](crate::scheme::Loop) they are the same
+    ///   after the first step, which starts from rings that were only renamed; from the second on they may differ. With
+    ///   [`Butterfly`](crate::scheme::Butterfly) and [`ModifiedButterfly`](crate::scheme::ModifiedButterfly) they may
+    ///   differ from the first step on.
     ///
     /// # Panics
     /// If the permutation is for another number of vertices.

@@ -1,9 +1,9 @@
 //! Whether the rings have no defect at all: a quick answer, as nearly always there is none.
 //!
-//! One look at each directed edge is enough. Let `w` stand at a slot in the ring of `v`. If `v` stands in the ring of `w`
-//! exactly once, then neighbours name each other (I2), and no ring holds a neighbour twice, as that is seen from the
-//! neighbour (I1). If moreover both rings have the same vertex on the left of `v -> w`, or both a gap, then with what is
-//! seen of `w -> v` both sides agree (I3), and the faces are triangles (I4).
+//! One look at each directed edge is enough. Let `w` stand at a slot in the ring of `v`. If `v` stands in the ring of
+//! `w` exactly once, then neighbours name each other (I2), and no ring holds a neighbour twice, as that is seen from
+//! the neighbour (I1). If moreover both rings have the same vertex on the left of `v -> w`, or both a gap, then with
+//! what is seen of `w -> v` both sides agree (I3), and the faces are triangles (I4).
 //!
 //! **Deliberately not here**: what is wrong where; see `validate`.
 
@@ -11,8 +11,8 @@ use super::validate::least_valence;
 use super::{Ring, RotationSystem};
 use crate::id::VertexId;
 
-/// How many neighbours are compared with, for each neighbour in a ring, on average at most. In a regular mesh it is 6, and
-/// few vertices of high valence change little.
+/// How many neighbours are compared with, for each neighbour in a ring, on average at most. In a regular mesh it is 6,
+/// and few vertices of high valence change little.
 const COMPARED: usize = 32;
 
 impl RotationSystem {
@@ -48,8 +48,8 @@ impl RotationSystem {
     }
 }
 
-/// Whether `v` stands in a ring exactly once, and before it `left`, or a gap where that is none. Of faces of any number of
-/// sides only the gaps are compared.
+/// Whether `v` stands in a ring exactly once, and before it `left`, or a gap where that is none. Of faces of any number
+/// of sides only the gaps are compared.
 fn holds_once(ring: Ring<'_>, v: VertexId, left: Option<VertexId>, triangles: bool) -> bool {
     let mut slots = ring.iter().enumerate().filter(|&(_, w)| w == v).map(|(slot, _)| slot);
     let (Some(slot), None) = (slots.next(), slots.next()) else { return false };
