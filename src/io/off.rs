@@ -67,7 +67,7 @@ pub fn write_off(out: &mut impl Write, surface: &impl Surface) -> io::Result<()>
         lines.position(position)?;
     }
     surface.try_for_each_face(|face| {
-        lines.text(&face.len().to_string())?;
+        lines.integer(face.len());
         lines.corners(face, 0)
     })?;
     lines.finish()

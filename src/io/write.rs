@@ -69,6 +69,11 @@ impl<'a, W: Write> Lines<'a, W> {
         self.pass_on()
     }
 
+    /// A whole number, without a blank.
+    pub(super) fn integer(&mut self, value: usize) {
+        push_integer(&mut self.buffer, value as u64);
+    }
+
     /// Three coordinates and the end of the line.
     pub(super) fn position(&mut self, position: DVec3) -> io::Result<()> {
         for (value, end) in position.to_array().into_iter().zip([b' ', b' ', b'\n']) {
@@ -106,24 +111,13 @@ impl<'a, W: Write> Lines<'a, W> {
 
 /// The shortest decimal that is read back as the same number, with an exponent where plain digits would be long.
 pub(super) fn push_float(buffer: &mut Vec<u8>, value: f64) {
-    let size = value.abs();
-    let plain = size == 0.0 || (1e-5..1e16).contains(&size) || !size.is_finite();
-    let done = if plain { write!(buffer, "{value}") } else { write!(buffer, "{value:e}") };
-    done.expect("writing to memory succeeds");
+    let mut digits = zmij::Buffer::new();
+    let text = digits.format(value);
+    buffer.extend_from_slice(text.strip_suffix(".0").unwrap_or(text).as_bytes());
 }
 
-pub(super) fn push_integer(buffer: &mut Vec<u8>, mut value: u64) {
-    let mut digits = [0; 20];
-    let mut first = digits.len();
-    loop {
-        first -= 1;
-        digits[first] = b'0' + (value % 10) as u8;
-        value /= 10;
-        if value == 0 {
-            break;
-        }
-    }
-    buffer.extend_from_slice(&digits[first..]);
+pub(super) fn push_integer(buffer: &mut Vec<u8>, value: u64) {
+    buffer.extend_from_slice(itoa::Buffer::new().format(value).as_bytes());
 }
 
 #[cfg(test)]
@@ -136,7 +130,7 @@ mod tests {
             (0.1, "0.1"),
             (-0.0, "-0"),
             (3.0, "3"),
-            (1e300, "1e300"),
+            (1e300, "1e+300"),
             (f64::MIN_POSITIVE, "2.2250738585072014e-308"),
             (5e-324, "5e-324"),
             (1e-5, "0.00001"),
