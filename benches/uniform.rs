@@ -17,7 +17,7 @@ use vvmesh::step::{History, Keep};
 use vvmesh::subdivide::{Control, Subdivider};
 use vvmesh::{Mesh, shapes};
 
-/// The allocator of the binary.
+/// It keeps what was given back for a second, so that a run finds pages that were touched before.
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 

@@ -28,10 +28,6 @@ use clap::Parser;
 use args::{Arguments, Command};
 use console::Failure;
 
-/// Memory that a level gave back is at hand for the next one, instead of new pages from the system.
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
-
 /// How a command ended that was not refused.
 enum Outcome {
     /// Done: exit 0.
