@@ -37,7 +37,7 @@ impl<'a> Certificate<'a> {
     /// If there is no such vertex.
     #[must_use]
     pub fn is_certified(&self, v: VertexId) -> bool {
-        star(self.exactness, self.mesh, v)
+        is_certified(self.exactness, self.mesh, v)
     }
 
     /// All certified vertices, by id. O(edges).
@@ -78,7 +78,8 @@ impl<'a> Certificate<'a> {
     }
 }
 
-fn star(exactness: &Exactness, mesh: &Mesh, v: VertexId) -> bool {
+/// Position and rotation of a vertex and the positions of its neighbours.
+pub(crate) fn is_certified(exactness: &Exactness, mesh: &Mesh, v: VertexId) -> bool {
     exactness.holds(Proof::Position, v)
         && exactness.holds(Proof::Rotation, v)
         && mesh.ring(v).iter().all(|w| exactness.holds(Proof::Position, w))
@@ -99,7 +100,7 @@ struct Facts {
 }
 
 /// The facts that a step hands on, read before it is made.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Handed {
     moves_even: bool,
     even: Vec<Facts>,
@@ -111,16 +112,18 @@ pub(crate) struct Handed {
 /// Position of an even vertex: its star, if the scheme moves it, else its own position. Position of an odd vertex: as
 /// the [`Reach`] of the scheme says. Rotation: its own, or that of one end, if [`after`] finds all refined around it.
 pub(crate) fn before(
+    handed: &mut Handed,
     exactness: &mut Exactness,
     mesh: &Mesh,
     moving: &[VertexId],
     plan: &Plan,
     reach: Reach,
     moves_even: bool,
-) -> Handed {
-    let mut even = Vec::with_capacity(moving.len());
+) {
+    let Handed { even, odd, .. } = handed;
+    even.clear();
     for &v in moving {
-        let star = star(exactness, mesh, v);
+        let star = is_certified(exactness, mesh, v);
         if star {
             exactness.show(Proof::Star, v);
         }
@@ -130,10 +133,11 @@ pub(crate) fn before(
             spoiler: if star { None } else { spoiler(exactness, mesh, v) },
         });
     }
-    for (&v, facts) in moving.iter().zip(&even) {
+    for (&v, facts) in moving.iter().zip(&*even) {
         exactness.spoil(v, facts.spoiler);
     }
-    let odd = plan.edges.iter().map(|edge| {
+    odd.clear();
+    odd.extend(plan.edges.iter().map(|edge| {
         let [p, q] = edge.ends();
         let both = |proof| exactness.holds(proof, p) && exactness.holds(proof, q);
         let one = |proof| exactness.holds(proof, p) || exactness.holds(proof, q);
@@ -144,8 +148,8 @@ pub(crate) fn before(
         };
         let spoiler = if both(Proof::Star) { None } else { exactness.spoiler(p).or(exactness.spoiler(q)) };
         Facts { position, rotation: one(Proof::Rotation), spoiler }
-    });
-    Handed { moves_even, odd: odd.collect(), even }
+    }));
+    handed.moves_even = moves_even;
 }
 
 /// Goes on to the mesh after the step, with what was inherited and what the step did around each vertex.

@@ -1,19 +1,25 @@
-//! Marks on vertices that cost nothing to forget.
+//! Memory that is used again: marks on vertices that cost nothing to forget, and buffers.
 //!
 //! A search over a small part of a large mesh must not touch the rest, so it can neither clear nor allocate an array of
 //! the mesh's size. A [`Scratch`] is kept by the caller and used again and again: a mark is a stamp, and starting anew is
-//! taking higher stamps.
+//! taking higher stamps. What else a step needs it takes from there and gives back.
 //!
-//! **Deliberately not here**: what the marks mean.
+//! **Deliberately not here**: what marks and buffers mean.
+
+use std::any::Any;
+use std::fmt;
 
 use crate::id::VertexId;
 
-/// Stamps of 4 bytes a vertex, allocated once and kept from search to search.
-#[derive(Clone, Debug, Default)]
+/// Stamps of 4 bytes a vertex and some buffers, allocated once and kept from search to search and from step to step.
+#[derive(Default)]
 pub struct Scratch {
     stamps: Vec<u32>,
     /// All stamps so far are at most this.
     used: u32,
+    lists: Vec<Vec<VertexId>>,
+    /// At most one of each type.
+    buffers: Vec<Box<dyn Any + Send + Sync>>,
 }
 
 impl Scratch {
@@ -48,10 +54,43 @@ impl Scratch {
         Marks { stamps: &mut self.stamps, base, values }
     }
 
-    /// Bytes held.
+    /// An empty list, in memory that was given back if there is any.
+    #[must_use]
+    pub fn take_list(&mut self) -> Vec<VertexId> {
+        self.lists.pop().unwrap_or_default()
+    }
+
+    /// Gives the memory of a list back.
+    pub fn give_list(&mut self, mut list: Vec<VertexId>) {
+        if list.capacity() > 0 {
+            list.clear();
+            self.lists.push(list);
+        }
+    }
+
+    /// The buffer of a type, as it was given back.
+    pub(crate) fn take<T: Any + Default + Send + Sync>(&mut self) -> Box<T> {
+        let place = self.buffers.iter().position(|buffer| (**buffer).is::<T>());
+        let found = place.map(|place| self.buffers.swap_remove(place).downcast());
+        found.and_then(Result::ok).unwrap_or_default()
+    }
+
+    /// Gives the buffer of a type back.
+    pub(crate) fn give<T: Any + Send + Sync>(&mut self, buffer: Box<T>) {
+        self.buffers.push(buffer);
+    }
+
+    /// Bytes held by stamps and lists.
     #[must_use]
     pub fn memory_bytes(&self) -> usize {
-        self.stamps.capacity() * size_of::<u32>()
+        let lists: usize = self.lists.iter().map(Vec::capacity).sum();
+        self.stamps.capacity() * size_of::<u32>() + lists * size_of::<VertexId>()
+    }
+}
+
+impl fmt::Debug for Scratch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Scratch").field("memory_bytes", &self.memory_bytes()).finish_non_exhaustive()
     }
 }
 
@@ -99,6 +138,23 @@ impl Marks<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn memory_is_given_back_and_taken_again() {
+        let mut scratch = Scratch::new();
+        let mut list = scratch.take_list();
+        list.push(VertexId::new(3));
+        let memory = list.as_ptr();
+        scratch.give_list(list);
+        let list = scratch.take_list();
+        assert_eq!((list.len(), list.as_ptr()), (0, memory));
+        let mut numbers: Box<Vec<u8>> = scratch.take();
+        numbers.push(7);
+        scratch.give(numbers);
+        assert_eq!(*scratch.take::<Vec<u16>>(), []);
+        assert_eq!(*scratch.take::<Vec<u8>>(), [7]);
+        assert_eq!(*scratch.take::<Vec<u8>>(), []);
+    }
 
     #[test]
     fn marks_are_forgotten_at_the_next_search() {

@@ -3,7 +3,7 @@
 use super::AdaptiveMethod;
 use crate::error::ConfigError;
 use crate::mesh::Mesh;
-use crate::query::r_disk;
+use crate::query::expand;
 use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::step::Region;
@@ -46,8 +46,10 @@ impl Incremental {
 
 impl AdaptiveMethod for Incremental {
     fn region(&self, mesh: &Mesh, selection: &Selection, scratch: &mut Scratch) -> Region {
-        let seeds = selection.vertices().iter().copied();
-        Region::induced(r_disk(mesh.rotation(), seeds, self.rings, scratch).into_vertices())
+        let mut vertices = scratch.take_list();
+        vertices.extend_from_slice(selection.vertices());
+        expand(mesh.rotation(), &mut vertices, self.rings, scratch);
+        Region::induced(vertices)
     }
 
     fn promises_exactness(&self) -> bool {

@@ -15,8 +15,10 @@ use crate::step::Region;
 pub struct Simple;
 
 impl AdaptiveMethod for Simple {
-    fn region(&self, _mesh: &Mesh, selection: &Selection, _scratch: &mut Scratch) -> Region {
-        Region::induced(selection.vertices().iter().copied())
+    fn region(&self, _mesh: &Mesh, selection: &Selection, scratch: &mut Scratch) -> Region {
+        let mut vertices = scratch.take_list();
+        vertices.extend_from_slice(selection.vertices());
+        Region::induced(vertices)
     }
 
     fn promises_exactness(&self) -> bool {

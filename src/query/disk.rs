@@ -36,6 +36,52 @@ pub fn r_disk(
     disk
 }
 
+/// Adds to a list of seeds the vertices of their r-disk, in breadth-first order, and takes repeated ones out.
+///
+/// Panics and cost are those of [`r_disk`].
+///
+/// ```
+/// use vvmesh::{VertexId, query, scratch::Scratch, shapes};
+/// let mut vertices = vec![VertexId::new(4)];
+/// query::expand(shapes::octahedron().rotation(), &mut vertices, 1, &mut Scratch::new());
+/// assert_eq!(vertices.len(), 5);
+/// ```
+pub fn expand(rotation: &RotationSystem, vertices: &mut Vec<VertexId>, radius: usize, scratch: &mut Scratch) {
+    search(rotation, vertices, radius, scratch, |_| ());
+}
+
+/// Expands a list of seeds, and tells how long it is after each layer.
+fn search(
+    rotation: &RotationSystem,
+    vertices: &mut Vec<VertexId>,
+    radius: usize,
+    scratch: &mut Scratch,
+    mut layer_ends: impl FnMut(usize),
+) {
+    let mut marks = scratch.marks(rotation.vertex_count(), 1);
+    vertices.retain(|&seed| {
+        // The scratch may have grown on a larger mesh, so it does not notice.
+        assert!(rotation.contains(seed), "the seed {seed} is not a vertex");
+        marks.insert(seed)
+    });
+    let (mut start, mut distance) = (0, 0);
+    while start < vertices.len() {
+        let end = vertices.len();
+        layer_ends(end);
+        if distance == radius {
+            break;
+        }
+        for k in start..end {
+            for &w in rotation.neighbors(vertices[k]) {
+                if marks.insert(w) {
+                    vertices.push(w);
+                }
+            }
+        }
+        (start, distance) = (end, distance + 1);
+    }
+}
+
 /// The vertices exactly `radius` edges away from the nearest seed, in breadth-first order.
 ///
 /// Empty if none is so far. Panics and cost are those of [`r_disk`].
@@ -89,31 +135,9 @@ impl Disk {
     ) {
         let Self { vertices, layer_ends } = self;
         vertices.clear();
+        vertices.extend(seeds);
         layer_ends.clear();
-        let mut marks = scratch.marks(rotation.vertex_count(), 1);
-        for seed in seeds {
-            // The scratch may have grown on a larger mesh, so it does not notice.
-            assert!(rotation.contains(seed), "the seed {seed} is not a vertex");
-            if marks.insert(seed) {
-                vertices.push(seed);
-            }
-        }
-        let mut start = 0;
-        while start < vertices.len() {
-            let end = vertices.len();
-            layer_ends.push(end);
-            if layer_ends.len() > radius {
-                break;
-            }
-            for k in start..end {
-                for &w in rotation.neighbors(vertices[k]) {
-                    if marks.insert(w) {
-                        vertices.push(w);
-                    }
-                }
-            }
-            start = end;
-        }
+        search(rotation, vertices, radius, scratch, |end| layer_ends.push(end));
     }
 
     /// All vertices in breadth-first order.

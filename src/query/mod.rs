@@ -3,7 +3,8 @@
 //! Nothing here changes a mesh or keeps anything of it. An answer costs what it looks at, not what the mesh holds, but for
 //! the few measures of a whole mesh.
 //!
-//! Read in this order: [`star()`] (a vertex and what touches it), [`r_disk`] and [`r_ring`] (vertices by distance),
+//! Read in this order: [`star()`] (a vertex and what touches it), [`r_disk`], [`r_ring`] and [`expand`] (vertices by
+//! distance),
 //! [`measure`] (lengths, angles, areas, normals).
 //!
 //! **Deliberately not here**: components, boundary loops and genus, which the rings alone answer
@@ -13,5 +14,5 @@ mod disk;
 pub mod measure;
 mod star;
 
-pub use disk::{Disk, r_disk, r_ring};
+pub use disk::{Disk, expand, r_disk, r_ring};
 pub use star::{Star, star};

@@ -21,6 +21,18 @@ impl Selection {
         Self { vertices: (0..vertex_count).map(VertexId::new).collect() }
     }
 
+    /// These vertices, which come ascending, each once.
+    pub(crate) fn ascending(vertices: Vec<VertexId>) -> Self {
+        debug_assert!(vertices.is_sorted_by(|a, b| a < b));
+        Self { vertices }
+    }
+
+    /// The vertices, ascending, as the list itself.
+    #[must_use]
+    pub fn into_vertices(self) -> Vec<VertexId> {
+        self.vertices
+    }
+
     /// The vertices, ascending.
     #[must_use]
     pub fn vertices(&self) -> &[VertexId] {

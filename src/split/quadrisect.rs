@@ -44,7 +44,7 @@ impl SplitEdge {
 }
 
 /// What a step will do to the topology: the new vertices, numbered from `first` in the order of `edges`.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Plan {
     /// The number of vertices before the step.
     pub(crate) first: usize,
@@ -72,30 +72,35 @@ impl Plan {
     }
 }
 
-/// Reads what is to be split. O(edges at the vertices of the region).
-pub(crate) fn plan(rotation: &RotationSystem, history: &History, region: &Region, scratch: &mut Scratch) -> Plan {
-    let hubs = Hubs::among(rotation, region.vertices(rotation.vertex_count()).iter().copied());
-    let mut planner = Planner {
-        rotation,
-        history,
-        peers: Peers::of(history, VertexId::new(0)),
-        plan: Plan { first: rotation.vertex_count(), edges: Vec::new(), added_faces: 0, hubs },
-    };
+/// Reads what is to be split, in place of what an earlier plan held. O(edges at the vertices of the region, which come
+/// with it).
+pub(crate) fn plan(
+    plan: &mut Plan,
+    rotation: &RotationSystem,
+    history: &History,
+    region: &Region,
+    vertices: &[VertexId],
+    scratch: &mut Scratch,
+) {
+    plan.first = rotation.vertex_count();
+    plan.edges.clear();
+    plan.added_faces = 0;
+    plan.hubs = Hubs::among(rotation, vertices.iter().copied());
+    let mut planner = Planner { rotation, history, peers: Peers::of(history, VertexId::new(0)), plan };
     match region.kind() {
         RegionKind::Everything => {
             planner.plan.edges.reserve_exact(rotation.edge_count());
-            planner.split_between(rotation.vertices(), |_| true);
+            planner.split_between(vertices, |_| true);
         }
-        RegionKind::Induced(vertices) => {
+        RegionKind::Induced(_) => {
             let mut marks = scratch.marks(rotation.vertex_count(), 1);
             for &v in vertices {
                 marks.set(v, 0);
             }
-            planner.split_between(vertices.iter().copied(), |v| marks.is_set(v));
+            planner.split_between(vertices, |v| marks.is_set(v));
         }
         RegionKind::Edges(edges) => planner.split_listed(edges),
     }
-    planner.plan
 }
 
 struct Planner<'a> {
@@ -103,13 +108,13 @@ struct Planner<'a> {
     history: &'a History,
     /// Of the vertex at hand.
     peers: Peers,
-    plan: Plan,
+    plan: &'a mut Plan,
 }
 
 impl Planner<'_> {
     #[inline]
-    fn split_between(&mut self, vertices: impl Iterator<Item = VertexId>, inside: impl Fn(VertexId) -> bool) {
-        for v in vertices {
+    fn split_between(&mut self, vertices: &[VertexId], inside: impl Fn(VertexId) -> bool) {
+        for &v in vertices {
             for (slot, &w) in self.rotation.neighbors(v).iter().enumerate() {
                 if v < w && inside(w) {
                     self.split(v, slot);
@@ -165,23 +170,29 @@ pub(crate) struct Closing {
     pub(crate) o_vertices: Vec<VertexId>,
     /// The greatest valence of a vertex that is new or got a neighbour more.
     pub(crate) max_valence: usize,
+    /// (vertex, neighbour after which, new neighbour)
+    insertions: Vec<(VertexId, VertexId, VertexId)>,
+    shifts: Vec<Shift>,
 }
 
-/// Splits as planned. O(split edges), and O(valence) for each old vertex that closing reaches.
+/// Splits as planned, and says in `closing` what that did, in place of what an earlier step did. O(split edges), and
+/// O(valence) for each old vertex that closing reaches.
 ///
 /// `diagonal` answers from which of the two ends of a [`Quad`] its diagonal goes; it sees the valences before the step.
 pub(crate) fn apply(
     rotation: &mut RotationSystem,
     plan: &Plan,
+    closing: &mut Closing,
     diagonal: impl Fn(Quad, &RotationSystem) -> usize,
-) -> Closing {
+) {
     for (x, edge) in plan.odd() {
         rotation.set_neighbor(edge.p, edge.slot_in_p as usize, x);
         rotation.set_neighbor(edge.q, edge.slot_in_q as usize, x);
     }
 
     rotation.reserve(plan.edges.len());
-    let mut closer = Closer { first: plan.first, diagonal, closing: Closing::default(), insertions: Vec::new() };
+    closing.clear();
+    let mut closer = Closer { first: plan.first, diagonal, closing };
     for (x, edge) in plan.odd() {
         let ring = closer.ring(rotation, x, edge);
         closer.closing.max_valence = closer.closing.max_valence.max(ring.as_ring().valence());
@@ -189,19 +200,28 @@ pub(crate) fn apply(
     }
 
     // Only now, as the slots of the plan hold until here.
-    let Closer { mut closing, insertions, .. } = closer;
+    let Closing { insertions, shifts, o_vertices, max_valence, .. } = closing;
     let hubs = Hubs::among(rotation, insertions.iter().map(|&(o, ..)| o));
     let slot_of = |o, pred| hubs.slot(rotation, o, pred).expect("it is a neighbour");
-    let mut shifts: Vec<Shift> = insertions.into_iter().map(|(o, pred, x)| (o, slot_of(o, pred), x)).collect();
+    shifts.extend(insertions.iter().map(|&(o, pred, x)| (o, slot_of(o, pred), x)));
     shifts.sort_unstable();
     for at_one in shifts.chunk_by(|one, other| one.0 == other.0) {
         insert(rotation, at_one);
+        o_vertices.push(at_one[0].0);
     }
-    closing.o_vertices = shifts.iter().map(|&(o, ..)| o).collect();
-    closing.o_vertices.dedup();
-    let grown = closing.o_vertices.iter().map(|&o| rotation.valence(o)).max().unwrap_or(0);
-    closing.max_valence = closing.max_valence.max(grown);
-    closing
+    let grown = o_vertices.iter().map(|&o| rotation.valence(o)).max().unwrap_or(0);
+    *max_valence = (*max_valence).max(grown);
+}
+
+impl Closing {
+    fn clear(&mut self) {
+        self.edges.clear();
+        self.t_vertices.clear();
+        self.o_vertices.clear();
+        self.max_valence = 0;
+        self.insertions.clear();
+        self.shifts.clear();
+    }
 }
 
 /// (vertex, slot after which, new neighbour)
@@ -228,12 +248,10 @@ fn insert(rotation: &mut RotationSystem, shifts: &[Shift]) {
     rotation.set_ring(o, ring);
 }
 
-struct Closer<D> {
+struct Closer<'a, D> {
     first: usize,
     diagonal: D,
-    closing: Closing,
-    /// (vertex, neighbour after which, new neighbour)
-    insertions: Vec<(VertexId, VertexId, VertexId)>,
+    closing: &'a mut Closing,
 }
 
 /// The ring of a new vertex while it is put together: at most two ends and two neighbours on each side.
@@ -254,7 +272,7 @@ impl Entries {
 /// counter-clockwise, and in that of the end where it stops. `None` if there is no face.
 type Side = Option<[VertexId; 2]>;
 
-impl<D: Fn(Quad, &RotationSystem) -> usize> Closer<D> {
+impl<D: Fn(Quad, &RotationSystem) -> usize> Closer<'_, D> {
     #[inline]
     fn is_new(&self, v: VertexId) -> bool {
         v.index() >= self.first
@@ -353,7 +371,7 @@ impl<D: Fn(Quad, &RotationSystem) -> usize> Closer<D> {
 
     /// Draws the edge from `x` to the opposite corner `c`, in whose ring `x` comes directly after `pred`.
     fn insert(&mut self, x: VertexId, c: VertexId, pred: VertexId) {
-        self.insertions.push((c, pred, x));
+        self.closing.insertions.push((c, pred, x));
         self.closing.edges.push(Edge::new(c, x));
     }
 
@@ -379,8 +397,10 @@ mod tests {
     fn split(mesh: &crate::Mesh, vertices: &[usize]) -> (RotationSystem, Closing) {
         let mut rotation = mesh.rotation().clone();
         let history = History::new(mesh, Keep::default());
-        let plan = plan(&rotation, &history, &Region::induced(ids(vertices)), &mut Scratch::new());
-        let closing = apply(&mut rotation, &plan, |_, _| unreachable!("no face has two split edges"));
+        let (mut plan, mut closing) = (Plan::default(), Closing::default());
+        let (region, vertices) = (Region::induced(ids(vertices)), ids(vertices));
+        super::plan(&mut plan, &rotation, &history, &region, &vertices, &mut Scratch::new());
+        apply(&mut rotation, &plan, &mut closing, |_, _| unreachable!("no face has two split edges"));
         (rotation, closing)
     }
 

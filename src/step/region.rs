@@ -68,6 +68,14 @@ impl Region {
         }
     }
 
+    /// The list of vertices, for its memory.
+    pub(crate) fn into_list(self) -> Vec<VertexId> {
+        match self.kind {
+            RegionKind::Induced(vertices) => vertices,
+            RegionKind::Everything | RegionKind::Edges(_) => Vec::new(),
+        }
+    }
+
     pub(crate) fn kind(&self) -> &RegionKind {
         &self.kind
     }

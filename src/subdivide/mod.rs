@@ -88,6 +88,18 @@ pub struct Step {
     pub unproven: Vec<VertexId>,
 }
 
+impl Step {
+    /// Gives the memory of the lists back, for the steps that follow.
+    ///
+    /// A run of steps of like size that does so, and passes the same `scratch` to every step, allocates nothing but for a
+    /// growing mesh and for rings of more than six neighbours (five if open). A certificate takes one list a step more.
+    pub fn recycle(self, scratch: &mut Scratch) {
+        for list in [self.selection.into_vertices(), self.t_vertices, self.o_vertices, self.unproven] {
+            scratch.give_list(list);
+        }
+    }
+}
+
 /// A scheme and a method, ready to make steps.
 ///
 /// ```
@@ -165,6 +177,7 @@ impl Subdivider {
         } else {
             self.refine(mesh, history, selection, &region, scratch, control)?
         };
+        scratch.give_list(region.into_list());
         Ok(Step { unproven, ..step })
     }
 
@@ -221,55 +234,72 @@ impl Subdivider {
         if region.is_everything() {
             control.allow(mesh.vertex_count() + mesh.edge_count(), mesh.face_count(), 3 * mesh.face_count())?;
         }
-        let plan = quadrisect::plan(mesh.rotation(), history, region, scratch);
-        control.allow(plan.first + plan.edges.len(), mesh.face_count(), plan.added_faces)?;
-        let levels = child_levels(history, &plan)?;
-
+        let mut buffers = scratch.take::<Buffers>();
+        let Buffers { plan, levels, positions, handed, closing } = &mut *buffers;
         let moving = region.vertices(mesh.vertex_count());
-        let moved = with_scheme!(&self.scheme, scheme => positions::append_odd(scheme, mesh, &moving, &plan, control)?);
+        quadrisect::plan(plan, mesh.rotation(), history, region, &moving, scratch);
+        control.allow(plan.first + plan.edges.len(), mesh.face_count(), plan.added_faces)?;
+        child_levels(levels, history, plan)?;
+        with_scheme!(&self.scheme, scheme => {
+            positions::append_odd(scheme, mesh, &moving, plan, positions, control)?;
+        });
 
         // From here on nothing can fail.
-        let (reach, moves_even) = (self.scheme.reach(), self.scheme.moves_even());
-        let handed = history
-            .exactness_mut()
-            .map(|exactness| certify::before(exactness, mesh, &moving, &plan, reach, moves_even));
-        for (&v, position) in moving.iter().zip(moved) {
+        if let Some(exactness) = history.exactness_mut() {
+            let (reach, moves_even) = (self.scheme.reach(), self.scheme.moves_even());
+            certify::before(handed, exactness, mesh, &moving, plan, reach, moves_even);
+        }
+        for (&v, &position) in moving.iter().zip(&positions.moved) {
             mesh.positions_mut()[v.index()] = position;
         }
-        let closing = split(mesh, &plan, self.diagonal);
+        split(mesh, plan, closing, self.diagonal);
 
-        let certified = handed.and_then(|handed| {
-            certify::after(history.exactness_mut()?, &handed, mesh, &moving, &plan, &closing);
+        let certified = history.exactness_mut().map(|exactness| {
+            certify::after(exactness, handed, mesh, &moving, plan, closing);
             // Only what took part can be certified, as the proof of a rotation lapses elsewhere.
-            let certificate = Certificate::new(mesh, history)?;
             let new = plan.odd().map(|(x, _)| x);
-            Some(moving.iter().copied().chain(new).filter(|&v| certificate.is_certified(v)).count())
+            moving.iter().copied().chain(new).filter(|&v| certify::is_certified(exactness, mesh, v)).count()
         });
-        let made = levels.into_iter().zip(plan.edges.iter().map(quadrisect::SplitEdge::ends));
+        let made = levels.iter().copied().zip(plan.edges.iter().map(quadrisect::SplitEdge::ends));
         history.record(mesh.vertex_count(), made, &closing.edges, closing.max_valence);
-        Ok(Step {
-            selection: follow(selection, &plan, mesh.vertex_count(), scratch),
+        let step = Step {
+            selection: follow(selection, plan, mesh.vertex_count(), scratch),
             selected: selection.len(),
             region: moving.len(),
             split_edges: plan.edges.len(),
-            t_vertices: closing.t_vertices,
-            o_vertices: closing.o_vertices,
+            t_vertices: std::mem::replace(&mut closing.t_vertices, scratch.take_list()),
+            o_vertices: std::mem::replace(&mut closing.o_vertices, scratch.take_list()),
             certified,
             unproven: Vec::new(),
-        })
+        };
+        scratch.give(buffers);
+        Ok(step)
     }
+}
+
+/// What a step needs while it is made, kept from step to step.
+#[derive(Default)]
+struct Buffers {
+    plan: Plan,
+    levels: Vec<u8>,
+    positions: positions::Buffer,
+    handed: certify::Handed,
+    closing: Closing,
 }
 
 /// The levels of the new vertices; empty if names are not kept.
-fn child_levels(history: &History, plan: &Plan) -> Result<Vec<u8>, RefineError> {
-    if !history.has_names() {
-        return Ok(Vec::new());
+fn child_levels(levels: &mut Vec<u8>, history: &History, plan: &Plan) -> Result<(), RefineError> {
+    levels.clear();
+    if history.has_names() {
+        for edge in &plan.edges {
+            levels.push(history.child_level(edge.ends())?);
+        }
     }
-    plan.edges.iter().map(|edge| history.child_level(edge.ends())).collect()
+    Ok(())
 }
 
 /// Splits rings and tags; positions are those after the step.
-fn split(mesh: &mut Mesh, plan: &Plan, diagonal: Diagonal) -> Closing {
+fn split(mesh: &mut Mesh, plan: &Plan, closing: &mut Closing, diagonal: Diagonal) {
     let (rotation, positions, tags) = mesh.parts_mut();
     if !tags.is_empty() {
         for (x, edge) in plan.odd() {
@@ -277,15 +307,17 @@ fn split(mesh: &mut Mesh, plan: &Plan, diagonal: Diagonal) -> Closing {
             tags.split(Edge::new(p, q), x);
         }
     }
-    quadrisect::apply(rotation, plan, |quad: Quad, valences| diagonal.start(quad, valences, positions))
+    quadrisect::apply(rotation, plan, closing, |quad: Quad, valences| diagonal.start(quad, valences, positions));
 }
 
 /// S' = S and every new vertex between two vertices of S. O(S and the region).
 fn follow(selection: &Selection, plan: &Plan, vertex_count: usize, scratch: &mut Scratch) -> Selection {
+    let mut vertices = scratch.take_list();
+    vertices.extend_from_slice(selection.vertices());
     let mut marks = scratch.marks(vertex_count, 1);
     for &v in selection.vertices() {
         marks.set(v, 0);
     }
-    let between = plan.odd().filter(|(_, edge)| edge.ends().iter().all(|&end| marks.is_set(end))).map(|(x, _)| x);
-    selection.vertices().iter().copied().chain(between).collect()
+    vertices.extend(plan.odd().filter(|(_, edge)| edge.ends().iter().all(|&end| marks.is_set(end))).map(|(x, _)| x));
+    Selection::ascending(vertices)
 }

@@ -15,42 +15,53 @@ use crate::step::Parent;
 /// After how many new positions of a region they are stored, and the caller is asked whether to go on.
 const BUFFERED: usize = 1 << 10;
 
-/// Appends the positions of the new vertices and answers with those of the moved ones, which are not written yet.
+/// Positions on their way into a mesh.
+#[derive(Default)]
+pub(super) struct Buffer {
+    /// New ones that are not appended yet.
+    odd: Vec<DVec3>,
+    /// The new ones of moved vertices.
+    pub(super) moved: Vec<DVec3>,
+}
+
+/// Appends the positions of the new vertices and leaves those of the moved ones in the buffer, not written yet.
 ///
 /// Both are computed from the old positions. `moving` are the even vertices that move if the scheme moves any; else none
-/// come back. After an error the positions are as before.
+/// are left. After an error the positions are as before.
 pub(super) fn append_odd<S: Scheme>(
     scheme: &S,
     mesh: &mut Mesh,
     moving: &[VertexId],
     plan: &Plan,
+    buffer: &mut Buffer,
     control: &mut Control<'_>,
-) -> Result<Vec<DVec3>, RefineError> {
+) -> Result<(), RefineError> {
     let (rotation, positions, tags) = mesh.parts_mut();
     let around = Neighborhood::new(rotation, tags).with_hubs(plan.hubs());
     let old = positions.len();
     let moving = if scheme.moves_even() { moving } else { &[] };
     let (new, total) = (plan.edges.len(), plan.edges.len() + moving.len());
+    let Buffer { odd: buffer, moved } = buffer;
+    buffer.clear();
+    moved.clear();
     let mut compute = || {
         positions.reserve(new);
         // A few at a time, as what is appended to can not be read from; the buffer stays in the cache.
-        let mut buffer = Vec::with_capacity(BUFFERED.min(new));
         for (done, parent) in plan.parents(around).enumerate() {
             if done % BUFFERED == 0 {
-                positions.append(&mut buffer);
+                positions.append(buffer);
                 control.report(done, total)?;
             }
             buffer.push(finite(odd(scheme, around, positions, &parent), parent.p)?);
         }
-        positions.append(&mut buffer);
-        let mut moved = Vec::with_capacity(moving.len());
+        positions.append(buffer);
         for &v in moving {
             if moved.len() % BUFFERED == 0 {
                 control.report(new + moved.len(), total)?;
             }
             moved.push(finite(even(scheme, around, positions, v), v)?);
         }
-        Ok(moved)
+        Ok(())
     };
     let computed = compute();
     if computed.is_err() {

@@ -1,0 +1,65 @@
+//! Does a local step allocate nothing once it has run?
+
+use vvmesh::adaptive::Incremental;
+use vvmesh::scheme::{AnyScheme, Butterfly, Loop, ModifiedButterfly};
+use vvmesh::scratch::Scratch;
+use vvmesh::select::Selection;
+use vvmesh::step::{History, Keep};
+use vvmesh::subdivide::{Control, Subdivider};
+use vvmesh::{Mesh, VertexId, query, shapes};
+
+/// Allocations that a step may need: one for each ring that outgrows six entries.
+fn long_rings(mesh: &Mesh) -> u64 {
+    let long = |v: &VertexId| mesh.ring(*v).valence() + usize::from(mesh.ring(*v).is_open()) > 6;
+    mesh.vertices().filter(long).count() as u64
+}
+
+/// Steps on disks all over a torus; answers for the last ten of thirty with the allocations and with those that long rings
+/// explain. The first steps fill the scratch.
+fn allocations(scheme: AnyScheme, keep: Keep, recycle: bool) -> Vec<(u64, u64)> {
+    let mut mesh = shapes::torus(300, 60, 2.0, 1.0);
+    let mut history = History::new(&mesh, keep);
+    let subdivider = Subdivider::new(scheme, Incremental::new(1).unwrap());
+    let mut scratch = Scratch::new();
+    let mut found = Vec::new();
+    for k in 0..30 {
+        let center = VertexId::new(600 * k + 7);
+        let disk = query::r_disk(mesh.rotation(), [center], 2, &mut scratch);
+        let selection: Selection = disk.into_vertices().into_iter().collect();
+        let before = long_rings(&mesh);
+        let counted = allocation_counter::measure(|| {
+            let control = &mut Control::default();
+            let step = subdivider.step(&mut mesh, &mut history, &selection, &mut scratch, control).unwrap();
+            assert_eq!((step.selected, step.region), (19, 37));
+            if recycle {
+                step.recycle(&mut scratch);
+            }
+        });
+        found.push((counted.count_total, long_rings(&mesh) - before));
+    }
+    found.split_off(20)
+}
+
+/// A growing mesh moves to new memory when it has doubled, so hardly any step is free to.
+fn growths(found: &[(u64, u64)]) -> usize {
+    found.iter().filter(|(count, explained)| count > explained).count()
+}
+
+#[test]
+fn a_step_allocates_only_for_long_rings_and_growth() {
+    let schemes: [AnyScheme; 3] = [Loop::default().into(), Butterfly.into(), ModifiedButterfly.into()];
+    for scheme in schemes {
+        for names in [false, true] {
+            let found = allocations(scheme.clone(), Keep { names, certificate: false }, true);
+            // The mesh grows by a sixth in all, so it doubles in the first step and not again; each of the two lists of names
+            // may double once in the last third.
+            assert!(growths(&found) <= if names { 2 } else { 0 }, "{found:?}");
+        }
+    }
+}
+
+#[test]
+fn without_recycling_every_step_allocates() {
+    let found = allocations(Loop::default().into(), Keep::default(), false);
+    assert_eq!(growths(&found), found.len(), "{found:?}");
+}
