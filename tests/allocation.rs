@@ -1,5 +1,7 @@
 //! Does a local step allocate nothing once it has run?
 
+#![allow(clippy::unwrap_used, reason = "a test that panics has failed")]
+
 use vvmesh::adaptive::Incremental;
 use vvmesh::scheme::{AnyScheme, Butterfly, Loop, ModifiedButterfly};
 use vvmesh::scratch::Scratch;
