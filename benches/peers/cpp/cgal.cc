@@ -13,7 +13,7 @@ using Surface = CGAL::Surface_mesh<Point>;
 using Vertex = Surface::Vertex_index;
 
 void build(const Mesh& mesh, Surface& surface) {
-    surface.reserve(mesh.vertices(), mesh.vertices() + mesh.faces(), mesh.faces());
+    surface.reserve(mesh.vertices(), 3 * mesh.faces() / 2, mesh.faces());
     for (size_t v = 0; v < mesh.vertices(); ++v) {
         const double* p = &mesh.positions[3 * v];
         surface.add_vertex(Point(p[0], p[1], p[2]));

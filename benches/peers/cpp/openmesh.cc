@@ -24,7 +24,7 @@ using Vertex = OpenMesh::VertexHandle;
 
 template <class S>
 void build(const Mesh& mesh, S& surface) {
-    surface.reserve(mesh.vertices(), mesh.vertices() + mesh.faces(), mesh.faces());
+    surface.reserve(mesh.vertices(), 3 * mesh.faces() / 2, mesh.faces());
     for (size_t v = 0; v < mesh.vertices(); ++v) {
         const double* p = &mesh.positions[3 * v];
         surface.add_vertex({p[0], p[1], p[2]});
@@ -125,6 +125,7 @@ int main(int count, char** arguments) {
             auto search = task.timed([&] { return Search(mesh.vertices()); }, [&](Search& search) { search.run(around); });
             task.answer(mesh.faces(), search.result());
         } else if (task.name == "local") {
+            // As many steps, at the same places, as `../rust/task.rs` says.
             const size_t calls = 50;
             auto step = [&](Composite& composite, size_t k) {
                 composite.refine_around(Vertex(k * 2654435761 % mesh.vertices()));

@@ -62,7 +62,7 @@ pub(super) fn run(task: Task, input: &RawMesh, seconds: f64) -> Result<Option<Me
 /// What is refused here is no mesh, and then vvmesh refused it before.
 fn build(positions: &[DVec3], triangles: &[[u32; 3]]) -> PolyMeshF64 {
     let (vertices, faces) = (positions.len(), triangles.len());
-    let mut mesh = PolyMeshF64::with_capacity(vertices, vertices + faces, faces);
+    let mut mesh = PolyMeshF64::with_capacity(vertices, 3 * faces / 2, faces);
     mesh.add_vertices(positions).expect("nothing of the mesh is borrowed");
     for &[a, b, c] in triangles {
         mesh.add_tri_face(a.into(), b.into(), c.into()).expect("the input is a mesh");
