@@ -48,10 +48,16 @@ impl<'a> Neighborhood<'a> {
         }
     }
 
-    /// Whether a vertex is regular, off the boundary, and nothing is tagged in the whole mesh.
+    /// The ring of a vertex if it is regular and off the boundary. One that was longer before may be left out.
     #[inline]
-    pub(crate) fn is_plain(&self, v: VertexId) -> bool {
-        self.tags.is_empty() && self.rotation.regular(v).is_some()
+    pub(crate) fn regular_ring(&self, v: VertexId) -> Option<&'a [VertexId; 6]> {
+        self.rotation.regular(v)
+    }
+
+    /// Whether nothing is tagged in the whole mesh.
+    #[inline]
+    pub(crate) fn has_no_tags(&self) -> bool {
+        self.tags.is_empty()
     }
 
     /// The ring of a vertex.

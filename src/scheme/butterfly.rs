@@ -66,17 +66,26 @@ impl Wing {
 /// Opposite corners and wings come counter-clockwise from `p`'s left, so the order of summing does not depend on ids.
 #[inline]
 pub(super) fn eight_point(around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
-    let Parent { p, q, left, right } = *parent;
-    if let (Some(left), Some(right), Some(at_p), Some(at_q)) =
-        (left, right, around.ring(p).as_regular(), around.ring(q).as_regular())
-    {
-        let ([on_right_p, on_left_p], [on_left_q, on_right_q]) = (two_off(at_p, q), two_off(at_q, p));
-        mask.group(0.5, [p, q]);
-        mask.group(0.125, [left, right]);
-        mask.group(-0.0625, [on_left_p, on_left_q, on_right_q, on_right_p]);
-        return;
+    match regular_ends(around, parent) {
+        Some(ends) => regular_eight_point(ends, parent, mask),
+        None => irregular_eight_point(around, parent, mask),
     }
-    irregular_eight_point(around, parent, mask);
+}
+
+/// The rings of both ends if both are regular and off the boundary.
+#[inline]
+pub(super) fn regular_ends<'a>(around: Neighborhood<'a>, parent: &Parent) -> Option<[&'a [VertexId; 6]; 2]> {
+    around.regular_ring(parent.p).zip(around.regular_ring(parent.q)).map(<[_; 2]>::from)
+}
+
+/// The 8-point mask between two regular vertices, in the order of [`eight_point`].
+#[inline]
+pub(super) fn regular_eight_point([at_p, at_q]: [&[VertexId; 6]; 2], parent: &Parent, mask: &mut impl MaskSink) {
+    let Parent { p, q, left, right } = *parent;
+    let ([right_wing_p, left_wing_p], [left_wing_q, right_wing_q]) = (two_off(at_p, q), two_off(at_q, p));
+    mask.group(0.5, [p, q]);
+    mask.group(0.125, [left, right].map(|corner| corner.expect("a regular vertex has no gap")));
+    mask.group(-0.0625, [left_wing_p, left_wing_q, right_wing_q, right_wing_p]);
 }
 
 /// The neighbours two before and two after one in a regular ring.
@@ -91,6 +100,7 @@ fn two_off(&[a, b, c, d, e, f]: &[VertexId; 6], neighbor: VertexId) -> [VertexId
     found
 }
 
+#[inline(never)]
 fn irregular_eight_point(around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
     let Parent { p, q, left, right } = *parent;
     let (at_p, at_q) = (around.ring(p), around.ring(q));

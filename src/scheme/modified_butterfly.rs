@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::butterfly::eight_point;
+use super::butterfly::{eight_point, regular_eight_point, regular_ends};
 use super::loop_::crease_neighbors;
 use super::{MaskSink, Reach, Scheme};
 use crate::id::VertexId;
@@ -50,15 +50,16 @@ impl Scheme for ModifiedButterfly {
 
     #[inline]
     fn odd(&self, around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
-        if around.is_plain(parent.p) && around.is_plain(parent.q) {
-            eight_point(around, parent, mask);
-        } else {
-            by_ends(around, parent, mask);
+        // Most of a refined mesh is like this, and the table then says the same.
+        match regular_ends(around, parent) {
+            Some(ends) if around.has_no_tags() => regular_eight_point(ends, parent, mask),
+            _ => by_ends(around, parent, mask),
         }
     }
 }
 
 /// Writes the mask by the table.
+#[inline(never)]
 fn by_ends(around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
     let Parent { p, q, left, right } = *parent;
     if left.is_none() || right.is_none() || around.is_tagged(p, q) {
