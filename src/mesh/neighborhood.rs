@@ -4,7 +4,7 @@ use smallvec::SmallVec;
 
 use super::Tags;
 use crate::id::{Edge, VertexId};
-use crate::rotation::{Hubs, Ring, RotationSystem};
+use crate::rotation::{Hubs, Regular, Ring, RotationSystem};
 
 /// How sharp the surroundings of a vertex are, by the number of sharp edges at it, boundary edges counted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -50,7 +50,7 @@ impl<'a> Neighborhood<'a> {
 
     /// The ring of a vertex if it is regular and off the boundary. One that was longer before may be left out.
     #[inline]
-    pub(crate) fn regular_ring(&self, v: VertexId) -> Option<&'a [VertexId; 6]> {
+    pub(crate) fn regular_ring(&self, v: VertexId) -> Option<Regular<'a>> {
         self.rotation.regular(v)
     }
 

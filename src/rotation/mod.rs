@@ -12,6 +12,7 @@
 mod circulator;
 mod edit;
 mod hubs;
+mod regular;
 mod reverse;
 mod ring;
 mod sound;
@@ -21,6 +22,7 @@ mod walk;
 
 pub use circulator::Circulator;
 pub(crate) use hubs::Hubs;
+pub(crate) use regular::{Regular, Slots};
 pub use ring::Ring;
 pub(crate) use ring::RingBuf;
 pub use transaction::Transaction;
@@ -218,7 +220,7 @@ impl RotationSystem {
 
     /// The neighbours of a regular inner vertex; `None` for any other.
     #[inline]
-    pub(crate) fn regular(&self, v: VertexId) -> Option<&[VertexId; 6]> {
+    pub(crate) fn regular(&self, v: VertexId) -> Option<Regular<'_>> {
         self.rings[v.index()].as_regular()
     }
 

@@ -5,6 +5,7 @@ use std::slice;
 
 use smallvec::SmallVec;
 
+use super::Regular;
 use crate::id::VertexId;
 
 /// Neighbours that a ring holds without an allocation of its own; 6 make a ring of 32 bytes (see `benches/RECORD.md`).
@@ -25,8 +26,8 @@ impl RingBuf {
 
     /// A ring with other neighbours at the same slots, and the same gap.
     pub(crate) fn like(ring: Ring<'_>, neighbor: impl FnMut(VertexId) -> VertexId) -> Self {
-        if let Some(&six) = ring.as_regular() {
-            return Self::regular(six.map(neighbor));
+        if let Some(six) = ring.as_regular() {
+            return Self::regular(six.neighbors().map(neighbor));
         }
         let gap = ring.open.then_some(VertexId::GAP);
         Self(ring.iter().map(neighbor).chain(gap).collect())
@@ -53,21 +54,22 @@ impl RingBuf {
     /// The neighbours of a regular inner vertex, whose number is then known when the program is built. `None` for any other,
     /// and for a ring that was once longer.
     #[inline]
-    pub(crate) fn as_regular(&self) -> Option<&[VertexId; INLINE]> {
+    pub(crate) fn as_regular(&self) -> Option<Regular<'_>> {
         if self.0.spilled() {
             return None;
         }
         let six: &[VertexId; INLINE] = self.0.as_slice().try_into().ok()?;
-        (six[INLINE - 1] != VertexId::GAP).then_some(six)
+        (six[INLINE - 1] != VertexId::GAP).then_some(Regular(six))
     }
 
-    /// The same, to be changed.
+    /// The neighbours of a regular inner vertex, to be changed; `None` for any other.
     #[inline]
     pub(crate) fn as_regular_mut(&mut self) -> Option<&mut [VertexId; INLINE]> {
         if self.0.spilled() {
             return None;
         }
-        self.0.as_mut_slice().try_into().ok()
+        let six: &mut [VertexId; INLINE] = self.0.as_mut_slice().try_into().ok()?;
+        (six[INLINE - 1] != VertexId::GAP).then_some(six)
     }
 
     #[inline]
@@ -130,8 +132,8 @@ impl<'a> Ring<'a> {
 
     /// The neighbours of a regular inner vertex; `None` for any other.
     #[inline]
-    pub(crate) fn as_regular(self) -> Option<&'a [VertexId; INLINE]> {
-        if self.open { None } else { self.neighbors.try_into().ok() }
+    pub(crate) fn as_regular(self) -> Option<Regular<'a>> {
+        if self.open { None } else { self.neighbors.try_into().ok().map(Regular) }
     }
 
     /// How many neighbours there are.

@@ -8,7 +8,7 @@
 //! **Deliberately not here**: what is wrong where; see `validate`.
 
 use super::validate::least_valence;
-use super::{Ring, RotationSystem};
+use super::{Regular, Ring, RotationSystem};
 use crate::id::VertexId;
 
 /// How many neighbours are compared with, for each neighbour in a ring, on average at most. In a regular mesh it is 6,
@@ -27,9 +27,10 @@ impl RotationSystem {
 
     #[inline]
     fn is_sound_at(&self, v: VertexId, triangles: bool) -> bool {
-        if let Some(six) = self.rings[v.index()].as_regular() {
+        if let Some(ring) = self.regular(v) {
+            let threes = ring.threes();
             return (0..6).all(|slot| {
-                let (w, left) = (six[slot], six[(slot + 1) % 6]);
+                let [_, w, left] = threes.at(slot);
                 let Some(at_w) = self.rings.get(w.index()).filter(|_| w != v) else { return false };
                 match at_w.as_regular() {
                     Some(at_w) => regular_holds_once(at_w, v, left, triangles),
@@ -59,10 +60,10 @@ fn holds_once(ring: Ring<'_>, v: VertexId, left: Option<VertexId>, triangles: bo
 
 /// The same for regular rings, without branches.
 #[inline]
-fn regular_holds_once(six: &[VertexId; 6], v: VertexId, left: VertexId, triangles: bool) -> bool {
-    let found: u32 = (0..6).map(|slot| u32::from(six[slot] == v)).sum();
-    let agreeing: u32 = (0..6).map(|slot| u32::from((six[slot] == v) & (six[(slot + 5) % 6] == left))).sum();
-    (found == 1) & ((agreeing == 1) | !triangles)
+fn regular_holds_once(ring: Regular<'_>, v: VertexId, left: VertexId, triangles: bool) -> bool {
+    let found = ring.slots(|w| w == v);
+    let agreeing = ring.slots_of_threes(|[before, w, _]| (w == v) & (before == left));
+    (found.len() == 1) & ((agreeing == found) | !triangles)
 }
 
 #[cfg(test)]

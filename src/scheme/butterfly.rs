@@ -3,7 +3,7 @@
 use super::{MaskSink, Reach, Scheme};
 use crate::id::VertexId;
 use crate::mesh::Neighborhood;
-use crate::rotation::Ring;
+use crate::rotation::{Regular, Ring};
 use crate::step::Parent;
 
 /// The original Butterfly scheme: the 8-point mask on every edge, whatever the valences of its ends.
@@ -74,30 +74,18 @@ pub(super) fn eight_point(around: Neighborhood<'_>, parent: &Parent, mask: &mut 
 
 /// The rings of both ends if both are regular and off the boundary.
 #[inline]
-pub(super) fn regular_ends<'a>(around: Neighborhood<'a>, parent: &Parent) -> Option<[&'a [VertexId; 6]; 2]> {
+pub(super) fn regular_ends<'a>(around: Neighborhood<'a>, parent: &Parent) -> Option<[Regular<'a>; 2]> {
     around.regular_ring(parent.p).zip(around.regular_ring(parent.q)).map(<[_; 2]>::from)
 }
 
 /// The 8-point mask between two regular vertices, in the order of [`eight_point`].
 #[inline]
-pub(super) fn regular_eight_point([at_p, at_q]: [&[VertexId; 6]; 2], parent: &Parent, mask: &mut impl MaskSink) {
+pub(super) fn regular_eight_point([at_p, at_q]: [Regular<'_>; 2], parent: &Parent, mask: &mut impl MaskSink) {
     let Parent { p, q, left, right } = *parent;
-    let ([right_wing_p, left_wing_p], [left_wing_q, right_wing_q]) = (two_off(at_p, q), two_off(at_q, p));
+    let ([right_wing_p, left_wing_p], [left_wing_q, right_wing_q]) = (at_p.two_off(q), at_q.two_off(p));
     mask.group(0.5, [p, q]);
     mask.group(0.125, [left, right].map(|corner| corner.expect("a regular vertex has no gap")));
     mask.group(-0.0625, [left_wing_p, left_wing_q, right_wing_q, right_wing_p]);
-}
-
-/// The neighbours two before and two after one in a regular ring.
-#[inline]
-fn two_off(&[a, b, c, d, e, f]: &[VertexId; 6], neighbor: VertexId) -> [VertexId; 2] {
-    let mut found = [d, b];
-    for (at, off) in [(a, [e, c]), (b, [f, d]), (c, [a, e]), (d, [b, f]), (e, [c, a])] {
-        if at == neighbor {
-            found = off;
-        }
-    }
-    found
 }
 
 #[inline(never)]

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::id::VertexId;
+use crate::rotation::{Regular, Slots};
 use crate::step::History;
 
 /// The vertices made in one step, among which the direction is decided in which a parent is read; the rule stands at
@@ -22,6 +23,12 @@ impl Peers {
         if !self.0.contains(&v.index()) {
             *self = Self::of(history, v);
         }
+    }
+
+    /// The slots of all edges from one of them, whose ring is regular, that are read from the other end.
+    #[inline]
+    pub(super) fn inward(&self, ring: Regular<'_>) -> Slots {
+        ring.slots_of_threes(|[right, w, left]| self.run_inward([Some(left), Some(right)], w))
     }
 
     /// Whether the edge from one of them to the greater id `w`, between these corners, is read from `w`.

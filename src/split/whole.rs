@@ -11,7 +11,7 @@ use std::ops::{Range, RangeFrom};
 use super::peers::Peers;
 use crate::id::{Edge, VertexId};
 use crate::parallel;
-use crate::rotation::{Hubs, RingBuf, RotationSystem};
+use crate::rotation::{Hubs, Regular, RingBuf, RotationSystem, Slots};
 use crate::step::{History, Parent};
 
 /// So many old vertices are taken at a time; what is made of them stays in the nearest cache.
@@ -33,10 +33,10 @@ pub(crate) struct Whole<'a> {
 #[derive(Clone, Copy, Default)]
 struct OwnEdges {
     first: u32,
-    /// Their slots, as bits, if the vertex is regular.
-    slots: u8,
-    /// The slots of edges that are read towards the vertex, as bits, if it is regular.
-    inward: u8,
+    /// Their slots if the vertex is regular.
+    slots: Slots,
+    /// The slots of edges that are read towards the vertex, if it is regular.
+    inward: Slots,
 }
 
 impl<'a> Whole<'a> {
@@ -79,7 +79,7 @@ impl<'a> Whole<'a> {
     pub(crate) fn rings(&self) -> Vec<RingBuf> {
         let vertices = 0..self.rotation.vertex_count();
         let mut rings = Vec::with_capacity(vertices.len() + self.rotation.edge_count());
-        let blank = || RingBuf::regular([VertexId::GAP; 6]);
+        let blank = || RingBuf::regular([VertexId::new(0); 6]);
         parallel::append_parts(&mut rings, parts(vertices.clone()).map(|part| part.len()), blank, |_, part, rings| {
             for (v, ring) in (part * PART..).map(VertexId::new).zip(rings) {
                 self.write_even(v, ring);
@@ -105,14 +105,14 @@ impl<'a> Whole<'a> {
             let mut made = made.iter_mut();
             for v in piece(vertices.clone(), PART, part).map(VertexId::new) {
                 let OwnEdges { first, mut slots, inward } = self.own[v.index()];
-                let regular = self.rotation.regular(v).map(Around::new);
+                let regular = self.rotation.regular(v).map(Regular::threes);
                 let mut irregular = 0..;
                 for _ in first..self.own[v.index() + 1].first {
                     let parent = match &regular {
-                        Some(around) => {
-                            let slot = next_bit(&mut slots);
-                            let [right, w, left] = around.at(slot);
-                            Parent::read(v, w, [Some(left), Some(right)], inward >> slot & 1 == 1)
+                        Some(threes) => {
+                            let slot = slots.next().expect("there is one for each edge");
+                            let [right, w, left] = threes.at(slot);
+                            Parent::read(v, w, [Some(left), Some(right)], inward.contains(slot))
                         }
                         None => self.irregular_parent(v, &mut irregular),
                     };
@@ -153,7 +153,7 @@ impl<'a> Whole<'a> {
     fn number(&self, v: VertexId, w: VertexId) -> u32 {
         let own = self.own[v.index()];
         let rank = match self.rotation.regular(v) {
-            Some(six) => RANKS[usize::from(own.slots) % 64][slot_in(six, w) % 8].into(),
+            Some(ring) => own.slots.rank(ring.slot_of(w)),
             None => self.irregular_rank(v, w),
         };
         own.first + rank
@@ -167,20 +167,16 @@ impl<'a> Whole<'a> {
     /// Writes the ring of an old vertex, in which every neighbour gives way to the new vertex between.
     #[inline]
     fn write_even(&self, v: VertexId, ring: &mut RingBuf) {
-        let OwnEdges { mut first, slots, .. } = self.own[v.index()];
+        let OwnEdges { first, slots, .. } = self.own[v.index()];
         let (Some(old), Some(new)) = (self.rotation.regular(v), ring.as_regular_mut()) else {
             *ring = self.irregular_even(v);
             return;
         };
-        let mut outward = slots;
-        while outward != 0 {
-            new[next_bit(&mut outward)] = self.vertex(first);
-            first += 1;
+        for (slot, number) in slots.zip(first..) {
+            new[slot] = self.vertex(number);
         }
-        let mut others = !slots & 0b11_1111;
-        while others != 0 {
-            let slot = next_bit(&mut others);
-            new[slot] = self.vertex(self.number(old[slot], v));
+        for slot in slots.others() {
+            new[slot] = self.vertex(self.number(old.neighbors()[slot], v));
         }
     }
 
@@ -199,7 +195,7 @@ impl<'a> Whole<'a> {
     fn write_odd_from<'r>(&self, v: VertexId, evens: &[RingBuf], rings: &mut impl Iterator<Item = &'r mut RingBuf>) {
         let OwnEdges { first, mut slots, inward } = self.own[v.index()];
         let regular = self.rotation.regular(v).zip(evens[v.index()].as_regular());
-        let regular = regular.map(|(old, new)| (old, Around::new(new)));
+        let regular = regular.map(|(old, new)| (old.threes(), new.threes()));
         let mut irregular = 0..;
         for number in first..self.own[v.index() + 1].first {
             let ring = rings.next().expect("there is one for each edge");
@@ -207,18 +203,17 @@ impl<'a> Whole<'a> {
                 *ring = self.irregular_odd(&self.irregular_parent(v, &mut irregular), evens);
                 continue;
             };
-            let slot = next_bit(&mut slots);
-            let w = old[slot];
+            let slot = slots.next().expect("there is one for each edge");
+            let [old_right, w, old_left] = old.at(slot);
             let (Some(at_w), Some(ring)) = (evens[w.index()].as_regular(), ring.as_regular_mut()) else {
-                let parent =
-                    Parent::read(v, w, [Some(old[(slot + 1) % 6]), Some(old[(slot + 5) % 6])], inward >> slot & 1 == 1);
+                let parent = Parent::read(v, w, [Some(old_left), Some(old_right)], inward.contains(slot));
                 *ring = self.irregular_odd(&parent, evens);
                 continue;
             };
             let [right, _, left] = new.at(slot);
-            let [left_w, right_w] = beside(at_w, self.vertex(number));
+            let [left_w, right_w] = at_w.beside(self.vertex(number));
             // The half from `p` on comes first.
-            let (from_v, from_w) = if inward >> slot & 1 == 1 { (3, 0) } else { (0, 3) };
+            let (from_v, from_w) = if inward.contains(slot) { (3, 0) } else { (0, 3) };
             [ring[from_v], ring[from_v + 1], ring[from_v + 2]] = [v, right, right_w];
             [ring[from_w], ring[from_w + 1], ring[from_w + 2]] = [w, left_w, left];
         }
@@ -244,36 +239,14 @@ impl OwnEdges {
     /// The edges of a vertex, with their number in place of the first one's.
     #[inline]
     fn count(rotation: &RotationSystem, peers: &Peers, v: VertexId) -> Self {
-        let Some(six) = rotation.regular(v) else {
+        let Some(ring) = rotation.regular(v) else {
             let count = rotation.neighbors(v).iter().filter(|&&w| v < w).count();
             return Self { first: count as u32, ..Self::default() };
         };
-        let bits =
-            |is: &dyn Fn(VertexId) -> bool| (0..6).fold(0_u8, |bits, slot| bits | u8::from(is(six[slot])) << slot);
-        let slots = bits(&|w| v < w);
-        let around = Around::new(six);
-        let inward = (0..6).fold(0_u8, |bits, slot| {
-            let [right, w, left] = around.at(slot);
-            bits | u8::from(peers.run_inward([Some(left), Some(right)], w)) << slot
-        });
-        Self { first: RANKS[usize::from(slots) % 64][6].into(), slots, inward }
+        let slots = ring.slots(|w| v < w);
+        Self { first: slots.len(), slots, inward: peers.inward(ring) }
     }
 }
-
-/// How many of the slots before one are in a set: by the set, then the slot.
-const RANKS: [[u8; 8]; 64] = {
-    let mut ranks = [[0; 8]; 64];
-    let mut set = 0;
-    while set < 64 {
-        let mut slot = 0;
-        while slot < 7 {
-            ranks[set][slot + 1] = ranks[set][slot] + (set >> slot & 1) as u8;
-            slot += 1;
-        }
-        set += 1;
-    }
-    ranks
-};
 
 /// A range cut into pieces of a given length; the last may be shorter.
 fn pieces(range: Range<usize>, length: usize) -> impl Iterator<Item = Range<usize>> {
@@ -287,47 +260,4 @@ fn piece(range: Range<usize>, length: usize, k: usize) -> Range<usize> {
 
 fn parts(vertices: Range<usize>) -> impl Iterator<Item = Range<usize>> {
     pieces(vertices, PART)
-}
-
-/// The smallest slot of a set, which is taken out.
-#[inline]
-fn next_bit(set: &mut u8) -> usize {
-    let slot = set.trailing_zeros() as usize;
-    *set &= set.wrapping_sub(1);
-    slot
-}
-
-/// A regular ring with its last neighbour before the first, and the first behind the last.
-struct Around([VertexId; 8]);
-
-impl Around {
-    #[inline]
-    fn new(&[a, b, c, d, e, f]: &[VertexId; 6]) -> Self {
-        Self([f, a, b, c, d, e, f, a])
-    }
-
-    /// The neighbours before, at and after a slot.
-    #[inline]
-    fn at(&self, slot: usize) -> [VertexId; 3] {
-        let ring = &self.0;
-        [ring[slot], ring[slot + 1], ring[slot + 2]]
-    }
-}
-
-/// The slot of a neighbour in a regular ring.
-#[inline]
-fn slot_in(six: &[VertexId; 6], neighbor: VertexId) -> usize {
-    (0..6).map(|k| if six[k] == neighbor { k as u32 } else { 0 }).fold(0, |slot, k| slot | k) as usize
-}
-
-/// The neighbours before and after one in a regular ring.
-#[inline]
-fn beside(&[a, b, c, d, e, f]: &[VertexId; 6], neighbor: VertexId) -> [VertexId; 2] {
-    let mut found = [e, a];
-    for (at, beside) in [(a, [f, b]), (b, [a, c]), (c, [b, d]), (d, [c, e]), (e, [d, f])] {
-        if at == neighbor {
-            found = beside;
-        }
-    }
-    found
 }
