@@ -62,6 +62,9 @@ impl<'a> Certificate<'a> {
     #[must_use]
     pub fn unproven(&self, selection: &Selection, reach: Reach) -> Vec<VertexId> {
         let selected = selection.vertices();
+        if self.exactness.is_whole() {
+            return Vec::new();
+        }
         if reach != Reach::BothStars {
             return selected.iter().copied().filter(|&v| !self.is_certified(v)).collect();
         }
@@ -120,6 +123,7 @@ pub(crate) fn before(
     reach: Reach,
     moves_even: bool,
 ) {
+    exactness.record(mesh.vertex_count());
     let Handed { even, odd, .. } = handed;
     even.clear();
     for &v in moving {

@@ -53,7 +53,10 @@
 //!
 //! # Features
 //!
-//! `cli` (default): what the binary `vv` needs. The library is the same without it.
+//! `cli` (default): what the binary `vv` needs, `parallel` with it. The library is the same without it.
+//!
+//! `parallel`: whole meshes are refined, built and checked on all threads of rayon's pool, with the same result to the last
+//! bit. A local step runs on one.
 //!
 //! # Glossary
 //!

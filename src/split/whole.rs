@@ -136,6 +136,20 @@ impl<'a> Whole<'a> {
         Parent::read(v, w, corners, Peers::of(self.history, v).run_inward(corners, w))
     }
 
+    /// Appends the new vertices between two of these vertices, which come ascending, in order; `inside` tells them from others.
+    pub(crate) fn append_between(
+        &self,
+        vertices: &[VertexId],
+        inside: impl Fn(VertexId) -> bool,
+        list: &mut Vec<VertexId>,
+    ) {
+        for &v in vertices {
+            let greater = self.rotation.ring(v).iter().filter(|&w| v < w);
+            let numbered = greater.zip(self.own[v.index()].first..);
+            list.extend(numbered.filter(|&(w, _)| inside(w)).map(|(_, number)| self.vertex(number)));
+        }
+    }
+
     /// The new vertex on an edge, which exists.
     pub(crate) fn on(&self, edge: Edge) -> VertexId {
         let [v, w] = edge.ends();

@@ -46,51 +46,70 @@ pub(crate) struct Exactness {
     step: u32,
     /// The last step that moved even vertices: positions shown before it have lapsed, those shown since hold.
     moved: u32,
-    records: Vec<Record>,
+    /// For each vertex; `None` as long as every step refined the whole mesh, for then everything is proven.
+    records: Option<Vec<Record>>,
 }
 
 impl Exactness {
     /// Of input vertices everything is proven.
-    pub(crate) fn new(vertex_count: usize) -> Self {
-        let record = Record { shown: [0, 0, NEVER], spoiler: None };
-        Self { step: 0, moved: 0, records: vec![record; vertex_count] }
+    pub(crate) fn new() -> Self {
+        Self { step: 0, moved: 0, records: None }
     }
 
+    /// Whether everything is proven of every vertex, as every step refined the whole mesh.
+    #[inline]
+    pub(crate) fn is_whole(&self) -> bool {
+        self.records.is_none()
+    }
+
+    /// Whether something holds of a vertex of the mesh.
     #[inline]
     pub(crate) fn holds(&self, proof: Proof, v: VertexId) -> bool {
-        let shown = self.records[v.index()].shown[proof as usize];
+        let Some(records) = &self.records else { return true };
+        let shown = records[v.index()].shown[proof as usize];
         let since = if proof == Proof::Position { self.moved } else { self.step };
         since <= shown && shown != NEVER
     }
 
     pub(crate) fn spoiler(&self, v: VertexId) -> Option<Spoiler> {
-        self.records[v.index()].spoiler
+        self.records.as_ref()?[v.index()].spoiler
+    }
+
+    /// Gets ready for a step that may leave out a part of a mesh with so many vertices. O(1) but the first time.
+    pub(crate) fn record(&mut self, vertex_count: usize) {
+        let record = Record { shown: [self.step, self.step, NEVER], spoiler: None };
+        self.records.get_or_insert_with(|| vec![record; vertex_count]);
     }
 
     /// Shows something for the present step.
     pub(crate) fn show(&mut self, proof: Proof, v: VertexId) {
-        self.records[v.index()].shown[proof as usize] = self.step;
+        if let Some(records) = &mut self.records {
+            records[v.index()].shown[proof as usize] = self.step;
+        }
     }
 
     /// Names what spoiled a vertex, unless that is known already.
     pub(crate) fn spoil(&mut self, v: VertexId, spoiler: Option<Spoiler>) {
-        let record = &mut self.records[v.index()];
-        record.spoiler = record.spoiler.or(spoiler);
+        if let Some(records) = &mut self.records {
+            let record = &mut records[v.index()];
+            record.spoiler = record.spoiler.or(spoiler);
+        }
     }
 
-    /// Goes on to the next step, with new vertices of which nothing is proven. What was shown lapses, but for positions
-    /// if even vertices did not move.
+    /// Goes on to the next step, with new vertices of which nothing is proven, unless the step was one of the whole mesh and
+    /// all before it too. What was shown lapses, but for positions if even vertices did not move.
     pub(crate) fn advance(&mut self, vertex_count: usize, moves_even: bool) {
         self.step += 1;
         if moves_even {
             self.moved = self.step;
         }
-        let record = Record { shown: [NEVER; 3], spoiler: None };
-        self.records.resize(vertex_count, record);
+        if let Some(records) = &mut self.records {
+            records.resize(vertex_count, Record { shown: [NEVER; 3], spoiler: None });
+        }
     }
 
     pub(crate) fn memory_bytes(&self) -> usize {
-        self.records.capacity() * size_of::<Record>()
+        self.records.as_ref().map_or(0, |records| records.capacity() * size_of::<Record>())
     }
 }
 
@@ -101,7 +120,8 @@ mod tests {
     #[test]
     fn positions_hold_until_even_vertices_move() {
         let v = VertexId::new(0);
-        let mut exactness = Exactness::new(1);
+        let mut exactness = Exactness::new();
+        exactness.record(1);
         let mut held = Vec::new();
         for moves_even in [false, true, false] {
             held.push([Proof::Position, Proof::Rotation, Proof::Star].map(|proof| exactness.holds(proof, v)));

@@ -13,7 +13,8 @@ use crate::mesh::Mesh;
 pub struct Keep {
     /// Birth levels and parents of vertices, and the edges that close cracks: 9 bytes a new vertex.
     pub names: bool,
-    /// What is proven equal to uniform refinement, and what spoils the rest: 20 bytes a vertex.
+    /// What is proven equal to uniform refinement, and what spoils the rest: 20 bytes a vertex from the first step on that does
+    /// not refine the whole mesh.
     pub certificate: bool,
 }
 
@@ -47,7 +48,7 @@ impl History {
             starts: vec![mesh.vertex_count()],
             max_valence: mesh.vertices().map(|v| mesh.ring(v).valence()).max().unwrap_or(0),
             names: keep.names.then(Names::default),
-            exactness: keep.certificate.then(|| Exactness::new(mesh.vertex_count())),
+            exactness: keep.certificate.then(Exactness::new),
         }
     }
 
@@ -82,9 +83,9 @@ impl History {
         self.names.is_some()
     }
 
-    /// Whether anything is kept of single vertices.
-    pub(crate) fn keeps_vertices(&self) -> bool {
-        self.names.is_some() || self.exactness.is_some()
+    /// Whether something is kept of single vertices that a step of the whole mesh would have to add to.
+    pub(crate) fn tells_vertices_apart(&self) -> bool {
+        self.names.is_some() || self.exactness.as_ref().is_some_and(|exactness| !exactness.is_whole())
     }
 
     /// The level at which a vertex was made: 0 for an input vertex, else one more than the greater level of its parents.

@@ -21,7 +21,7 @@ use crate::error::RefineError;
 use crate::id::{Edge, VertexId};
 use crate::mesh::Mesh;
 use crate::scheme::{AnyScheme, with_scheme};
-use crate::scratch::Scratch;
+use crate::scratch::{Marks, Scratch};
 use crate::select::Selection;
 use crate::split::quadrisect::{self, Closing, Plan};
 use crate::split::whole::Whole;
@@ -151,7 +151,8 @@ impl Subdivider {
     /// If the method's region names a vertex or an edge that the mesh does not have.
     ///
     /// # Complexity
-    /// Time and extra space O(region and the rings next to it), whatever the size of the mesh.
+    /// Time and extra space O(region and the rings next to it), whatever the size of the mesh. Extra space is taken from
+    /// `scratch` and given back, but for the lists of the answer; see [`Step::recycle`].
     pub fn step(
         &self,
         mesh: &mut Mesh,
@@ -171,9 +172,8 @@ impl Subdivider {
             _ => Vec::new(),
         };
         // The short way numbers and places everything alike, but does not say where the new vertices come from.
-        let told_apart = !selection.is_empty() && selection.len() < mesh.vertex_count();
-        let step = if region.is_everything() && !history.keeps_vertices() && !told_apart {
-            self.refine_whole(mesh, history, selection, control)?
+        let step = if region.is_everything() && !history.tells_vertices_apart() {
+            self.refine_whole(mesh, history, selection, scratch, control)?
         } else {
             self.refine(mesh, history, selection, &region, scratch, control)?
         };
@@ -181,12 +181,13 @@ impl Subdivider {
         Ok(Step { unproven, ..step })
     }
 
-    /// Refines the whole mesh; the selection is all of it, or nothing.
+    /// Refines the whole mesh.
     fn refine_whole(
         &self,
         mesh: &mut Mesh,
         history: &mut History,
         selection: &Selection,
+        scratch: &mut Scratch,
         control: &mut Control<'_>,
     ) -> Result<Step, RefineError> {
         let (old, new) = (mesh.vertex_count(), mesh.edge_count());
@@ -195,6 +196,15 @@ impl Subdivider {
         let new_positions = with_scheme!(&self.scheme, scheme => positions::of_whole(scheme, mesh, &whole, control)?);
 
         // From here on nothing can fail.
+        let followed = if selection.len() == old {
+            Selection::all(old + new)
+        } else {
+            let mut vertices = scratch.take_list();
+            vertices.extend_from_slice(selection.vertices());
+            let marks = mark(selection, old, scratch);
+            whole.append_between(selection.vertices(), |w| marks.is_set(w), &mut vertices);
+            Selection::ascending(vertices)
+        };
         let rings = whole.rings();
         let mut sharp: Vec<(VertexId, Edge)> =
             mesh.tags().sharp_edges().into_iter().map(|edge| (whole.on(edge), edge)).collect();
@@ -212,11 +222,16 @@ impl Subdivider {
         };
         rotation.replace_by_split(rings);
         history.record(old + new, std::iter::empty(), &[], max_valence);
+        let certified = history.exactness_mut().map(|exactness| {
+            exactness.advance(old + new, self.scheme.moves_even());
+            old + new
+        });
         Ok(Step {
-            selection: if selection.is_empty() { Selection::empty() } else { Selection::all(old + new) },
+            selection: followed,
             selected: selection.len(),
             region: old,
             split_edges: new,
+            certified,
             ..Step::default()
         })
     }
@@ -314,10 +329,16 @@ fn split(mesh: &mut Mesh, plan: &Plan, closing: &mut Closing, diagonal: Diagonal
 fn follow(selection: &Selection, plan: &Plan, vertex_count: usize, scratch: &mut Scratch) -> Selection {
     let mut vertices = scratch.take_list();
     vertices.extend_from_slice(selection.vertices());
+    let marks = mark(selection, vertex_count, scratch);
+    vertices.extend(plan.odd().filter(|(_, edge)| edge.ends().iter().all(|&end| marks.is_set(end))).map(|(x, _)| x));
+    Selection::ascending(vertices)
+}
+
+/// Marks on the selected vertices of a mesh with this many.
+fn mark<'a>(selection: &Selection, vertex_count: usize, scratch: &'a mut Scratch) -> Marks<'a> {
     let mut marks = scratch.marks(vertex_count, 1);
     for &v in selection.vertices() {
         marks.set(v, 0);
     }
-    vertices.extend(plan.odd().filter(|(_, edge)| edge.ends().iter().all(|&end| marks.is_set(end))).map(|(x, _)| x));
-    Selection::ascending(vertices)
+    marks
 }
