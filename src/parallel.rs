@@ -12,32 +12,80 @@ use rayon::prelude::*;
 
 /// Appends `make(k)` for every `k` of a range, in order.
 #[inline]
-pub(crate) fn append<T: Send>(list: &mut Vec<T>, range: Range<usize>, make: impl Fn(usize) -> T + Sync + Send) {
-    #[cfg(feature = "parallel")]
-    if many(range.len()) {
-        return list.par_extend(range.into_par_iter().with_min_len(SHARE).map(make));
-    }
-    list.extend(range.map(make));
+pub(crate) fn append<T: Default + Send + Sync>(
+    list: &mut Vec<T>,
+    range: Range<usize>,
+    make: impl Fn(usize) -> T + Sync + Send,
+) {
+    /// So many elements are blank at a time on one thread.
+    const PART: usize = 1 << 8;
+    let lengths = range.clone().step_by(PART).map(|start| PART.min(range.end - start));
+    append_parts(list, lengths, T::default, |_, part, elements| {
+        for (element, k) in elements.iter_mut().zip(range.start + part * PART..) {
+            *element = make(k);
+        }
+    });
 }
 
-/// The numbers of a range that pass a test, in order.
+/// All that is made of the numbers of a range, in order; each makes any number of elements.
 #[inline]
-pub(crate) fn filter(range: Range<usize>, test: impl Fn(usize) -> bool + Sync + Send) -> Vec<usize> {
+pub(crate) fn gather<T: Send, I: IntoIterator<Item = T>>(
+    range: Range<usize>,
+    make: impl Fn(usize) -> I + Sync + Send,
+) -> Vec<T> {
+    let gather = |range: Range<usize>| {
+        let mut list = Vec::new();
+        range.for_each(|k| list.extend(make(k)));
+        list
+    };
     #[cfg(feature = "parallel")]
     if many(range.len()) {
-        return range.into_par_iter().with_min_len(SHARE).filter(|&k| test(k)).collect();
+        let lists: Vec<Vec<T>> = pieces(range).map(gather).collect();
+        let mut all = Vec::with_capacity(lists.iter().map(Vec::len).sum());
+        lists.into_iter().for_each(|list| all.extend(list));
+        return all;
     }
-    range.filter(|&k| test(k)).collect()
+    gather(range)
+}
+
+/// The sums of what is counted at each number of a range.
+#[inline]
+pub(crate) fn sums<const N: usize>(
+    range: Range<usize>,
+    count: impl Fn(usize) -> [usize; N] + Sync + Send,
+) -> [usize; N] {
+    let add = |sums: [usize; N], counts: [usize; N]| std::array::from_fn(|k| sums[k] + counts[k]);
+    let sum = |range: Range<usize>| range.map(&count).fold([0; N], add);
+    #[cfg(feature = "parallel")]
+    if many(range.len()) {
+        return pieces(range).map(sum).reduce(|| [0; N], add);
+    }
+    sum(range)
+}
+
+/// What is made of each of as many equal shares of a range as there are threads, in order; the last may be smaller.
+///
+/// For what can be had of any part of a range, but not of each number: the result must not tell how many shares there were.
+#[inline]
+pub(crate) fn shares<T: Send>(range: Range<usize>, make: impl Fn(Range<usize>) -> T + Sync + Send) -> Vec<T> {
+    #[cfg(feature = "parallel")]
+    if many(range.len()) {
+        let length = range.len().div_ceil(rayon::current_num_threads()).max(SHARE);
+        let starts = range.clone().into_par_iter().step_by(length);
+        return starts.map(|start| make(start..range.end.min(start + length))).collect();
+    }
+    vec![make(range)]
 }
 
 /// The first number of a range that passes a test.
 #[inline]
 pub(crate) fn find(range: Range<usize>, test: impl Fn(usize) -> bool + Sync + Send) -> Option<usize> {
+    let first = |mut range: Range<usize>| range.find(|&k| test(k));
     #[cfg(feature = "parallel")]
     if many(range.len()) {
-        return range.into_par_iter().with_min_len(SHARE).find_first(|&k| test(k));
+        return pieces(range).find_map_first(first);
     }
-    range.into_iter().find(|&k| test(k))
+    first(range)
 }
 
 /// Appends parts of given lengths; `fill(list, k, part)` writes part `k`, reading the list as it was before.
@@ -89,7 +137,103 @@ fn share_parts<T: Send + Sync>(
 #[cfg(feature = "parallel")]
 const SHARE: usize = 1 << 12;
 
+/// A range in pieces to be shared. The loop over a piece is the one that a single thread runs over all.
+#[cfg(feature = "parallel")]
+fn pieces(range: Range<usize>) -> impl IndexedParallelIterator<Item = Range<usize>> {
+    let Range { start, end } = range;
+    (start..end).into_par_iter().step_by(SHARE).map(move |start| start..end.min(start + SHARE))
+}
+
 #[cfg(feature = "parallel")]
 fn many(elements: usize) -> bool {
     elements >= 2 * SHARE && rayon::current_num_threads() > 1
+}
+
+#[cfg(all(test, feature = "parallel"))]
+mod tests {
+    use std::collections::HashSet;
+    use std::sync::{Condvar, Mutex};
+    use std::thread::{self, ThreadId};
+    use std::time::Duration;
+
+    use super::*;
+
+    /// Waits until two threads have met here.
+    #[derive(Default)]
+    struct Meeting {
+        threads: Mutex<HashSet<ThreadId>>,
+        arrived: Condvar,
+    }
+
+    impl Meeting {
+        fn attend(&self) {
+            let mut threads = self.threads.lock().expect("no thread panics here");
+            threads.insert(thread::current().id());
+            self.arrived.notify_all();
+            let alone = |threads: &mut HashSet<ThreadId>| threads.len() < 2;
+            let waited = self.arrived.wait_timeout_while(threads, Duration::from_secs(60), alone);
+            let (_threads, waited) = waited.expect("no thread panics here");
+            assert!(!waited.timed_out(), "only one thread works");
+        }
+    }
+
+    /// Runs `work` on two threads and on one, where nobody can be met.
+    fn is_shared<T: PartialEq + std::fmt::Debug + Send>(work: impl Fn(&(dyn Fn() + Sync)) -> T + Sync) {
+        let on = |threads: usize, meet: &(dyn Fn() + Sync)| {
+            rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start").install(|| work(meet))
+        };
+        let meeting = Meeting::default();
+        assert_eq!(on(2, &|| meeting.attend()), on(1, &|| {}));
+    }
+
+    #[test]
+    fn two_threads_work_from_8192_elements_on() {
+        const COUNT: usize = 8192;
+        is_shared(|meet| {
+            let mut list = vec![7];
+            append(&mut list, 0..COUNT, |k| {
+                meet();
+                3 * k
+            });
+            list
+        });
+        is_shared(|meet| {
+            gather(5..COUNT + 5, |k| {
+                meet();
+                (0..k % 3).map(move |j| (k, j))
+            })
+        });
+        is_shared(|meet| {
+            sums(0..COUNT, |k| {
+                meet();
+                [k, 1]
+            })
+        });
+        is_shared(|meet| {
+            find(0..COUNT, |k| {
+                meet();
+                k > COUNT - 3
+            })
+        });
+        is_shared(|meet| {
+            shares(3..COUNT + 3, |share| {
+                meet();
+                share.collect::<Vec<_>>()
+            })
+            .concat()
+        });
+        is_shared(|meet| {
+            let mut list = vec![1];
+            append_parts(
+                &mut list,
+                (0..128).map(|k| k + 1),
+                || 0,
+                |old, k, part| {
+                    meet();
+                    part.fill(old[0] + k);
+                },
+            );
+            list
+        });
+    }
 }

@@ -1,10 +1,14 @@
 //! A mesh from triangles: rings are chained from the pairs of neighbours that the triangles give.
 
+use std::ops::Range;
+
 use glam::DVec3;
+use smallvec::SmallVec;
 
 use super::{Mesh, Tags};
 use crate::error::{BuildError, Defect, DefectKind};
 use crate::id::VertexId;
+use crate::parallel;
 use crate::rotation::{RingBuf, RotationSystem};
 use crate::soup::FaceList;
 
@@ -25,7 +29,7 @@ impl Mesh {
     /// # Complexity
     /// O(vertices + triangles), and O(d log d) for a vertex of more than 24 triangles.
     pub fn from_triangles(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Result<Self, BuildError> {
-        match rings(&positions, triangles.iter().copied()) {
+        match rings(&positions, triangles.as_flattened()) {
             Some(rings) => Ok(Self { rotation: RotationSystem::from_rings(rings), positions, tags: Tags::default() }),
             None => Err(BuildError::new(FaceList::from_triangles(positions, triangles).defects())),
         }
@@ -53,64 +57,90 @@ impl Mesh {
 
 /// The rings of a list of faces, if they are triangles without any defect.
 pub(crate) fn rotation_of(list: &FaceList) -> Option<RotationSystem> {
-    let triangles = list.triangles()?;
-    rings(&list.positions, triangles).map(RotationSystem::from_rings)
+    rings(&list.positions, list.triangles()?).map(RotationSystem::from_rings)
 }
 
-/// The rings, or `None` if there is any defect.
-fn rings(positions: &[DVec3], triangles: impl ExactSizeIterator<Item = [u32; 3]> + Clone) -> Option<Vec<RingBuf>> {
+/// The rings, or `None` if there is any defect. The corners are those of triangles, three each.
+fn rings(positions: &[DVec3], corners: &[u32]) -> Option<Vec<RingBuf>> {
     let count = positions.len();
     VertexId::try_new(count.saturating_sub(1))?;
-    let sound = triangles.clone().all(|[a, b, c]| {
-        a != b && b != c && c != a && (a as usize) < count && (b as usize) < count && (c as usize) < count
-    });
-    if !sound || !positions.iter().all(|p| p.is_finite()) {
+    let is_unsound = |k: usize| {
+        let [a, b, c] = [corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]];
+        a == b || b == c || c == a || a.max(b).max(c) as usize >= count
+    };
+    if parallel::find(0..corners.len() / 3, is_unsound).is_some()
+        || parallel::find(0..count, |v| !positions[v].is_finite()).is_some()
+    {
         return None;
     }
 
-    // For every vertex the pairs (b, c) of its triangles (v, b, c), side by side. While they are put in place, the
-    // start of each vertex grows to its end.
-    let mut ends = vec![0_usize; count + 1];
-    for v in triangles.clone().flatten() {
-        ends[v as usize + 1] += 1;
+    let mut rings = Vec::with_capacity(count);
+    for table in parallel::shares(0..count, |vertices| PairTable::new(corners, vertices)) {
+        // In place of a ring that is none stands a gap without neighbours.
+        parallel::append(&mut rings, 0..table.ends.len(), |place| {
+            chain(table.pairs(place)).unwrap_or_else(|| RingBuf::open(&[]))
+        });
     }
-    for v in 0..count {
-        ends[v + 1] += ends[v];
-    }
-    let mut pairs = vec![(0_u32, 0_u32); 3 * triangles.len()];
-    for [a, b, c] in triangles {
-        for (v, pair) in [(a, (b, c)), (b, (c, a)), (c, (a, b))] {
-            let free = &mut ends[v as usize];
-            pairs[*free] = pair;
-            *free += 1;
-        }
-    }
-
-    let mut ring = Vec::new();
-    let mut start = 0;
-    let chained =
-        ends[..count].iter().map(|&end| chain(&mut pairs[std::mem::replace(&mut start, end)..end], &mut ring));
-    chained.collect()
+    let is_none = |v: usize| rings[v].as_ring().is_open() && rings[v].as_ring().valence() == 0;
+    parallel::find(0..count, is_none).is_none().then_some(rings)
 }
 
+/// For some consecutive vertices the pairs (b, c) of their triangles (v, b, c), side by side.
+///
+/// Whoever makes one reads all triangles, but writes nothing that others write.
+struct PairTable {
+    /// Where the pairs of each vertex end.
+    ends: Vec<usize>,
+    pairs: Vec<(u32, u32)>,
+}
+
+impl PairTable {
+    fn new(corners: &[u32], vertices: Range<usize>) -> Self {
+        // While pairs are put in place, the start of each vertex grows to its end.
+        let mut ends = vec![0_usize; vertices.len()];
+        let place = |v: u32| (v as usize).wrapping_sub(vertices.start);
+        for &v in corners {
+            if let Some(count) = ends.get_mut(place(v)) {
+                *count += 1;
+            }
+        }
+        let mut total = 0;
+        for count in &mut ends {
+            total += std::mem::replace(count, total);
+        }
+        let mut pairs = vec![(0_u32, 0_u32); total];
+        for triangle in corners.chunks_exact(3) {
+            let [a, b, c] = [triangle[0], triangle[1], triangle[2]];
+            for (v, pair) in [(a, (b, c)), (b, (c, a)), (c, (a, b))] {
+                if let Some(free) = ends.get_mut(place(v)) {
+                    pairs[*free] = pair;
+                    *free += 1;
+                }
+            }
+        }
+        Self { ends, pairs }
+    }
+
+    /// The pairs of the vertex at a place among them.
+    #[inline]
+    fn pairs(&self, place: usize) -> &[(u32, u32)] {
+        let start = if place == 0 { 0 } else { self.ends[place - 1] };
+        &self.pairs[start..self.ends[place]]
+    }
+}
+
+/// Neighbours on their way into a ring; a vertex whose pairs are sorted may need more room.
+type Chain = SmallVec<[VertexId; SEARCHED + 1]>;
+
 /// Chains the pairs around one vertex into a ring, or answers `None` if they form no single fan.
-fn chain(pairs: &mut [(u32, u32)], ring: &mut Vec<VertexId>) -> Option<RingBuf> {
-    let sorted = pairs.len() > SEARCHED;
-    if sorted {
-        pairs.sort_unstable();
-        if pairs.windows(2).any(|two| two[0].0 == two[1].0) {
-            return None;
-        }
+fn chain(pairs: &[(u32, u32)]) -> Option<RingBuf> {
+    if pairs.len() <= SEARCHED {
+        return Pairs { pairs, sorted: false }.chain();
     }
-    let pairs = Pairs { pairs, sorted };
-    let Some(smallest) = pairs.smallest() else { return Some(RingBuf::default()) };
-    match pairs.follow(smallest, ring)? {
-        End::Start => (ring.len() == pairs.pairs.len() && ring.len() >= 3).then(|| RingBuf::closed(ring)),
-        End::Gap => {
-            pairs.follow(pairs.after_gap()?, ring)?;
-            (ring.len() == pairs.pairs.len() + 1).then(|| RingBuf::open(ring))
-        }
-    }
+    let mut pairs = pairs.to_vec();
+    pairs.sort_unstable();
+    let repeats = pairs.windows(2).any(|two| two[0].0 == two[1].0);
+    if repeats { None } else { Pairs { pairs: &pairs, sorted: true }.chain() }
 }
 
 /// The pairs (b, c) of the triangles (v, b, c) around a vertex, sorted if there are many.
@@ -131,6 +161,19 @@ enum End {
 }
 
 impl Pairs<'_> {
+    #[inline]
+    fn chain(&self) -> Option<RingBuf> {
+        let Some(smallest) = self.smallest() else { return Some(RingBuf::default()) };
+        let mut ring = Chain::new();
+        match self.follow(smallest, &mut ring)? {
+            End::Start => (ring.len() == self.pairs.len() && ring.len() >= 3).then(|| RingBuf::closed(&ring)),
+            End::Gap => {
+                self.follow(self.after_gap()?, &mut ring)?;
+                (ring.len() == self.pairs.len() + 1).then(|| RingBuf::open(&ring))
+            }
+        }
+    }
+
     /// The first pair that a neighbour starts.
     #[inline]
     fn from(&self, b: u32) -> Option<usize> {
@@ -148,7 +191,7 @@ impl Pairs<'_> {
     }
 
     /// Lists the neighbours from the start of a pair on. `None` if the chain goes round without coming back there.
-    fn follow(&self, first: usize, ring: &mut Vec<VertexId>) -> Option<End> {
+    fn follow(&self, first: usize, ring: &mut Chain) -> Option<End> {
         ring.clear();
         let mut at = first;
         while ring.len() < self.pairs.len() {

@@ -28,6 +28,7 @@ pub use tags::Tags;
 use glam::DVec3;
 
 use crate::id::{Edge, Triangle, VertexId};
+use crate::parallel;
 use crate::rotation::{Ring, RotationSystem};
 use crate::soup::FaceList;
 
@@ -176,11 +177,11 @@ impl Mesh {
     /// The triangles as a list, in the order of [`Mesh::triangles`]; vertex `k` stays vertex `k`.
     #[must_use]
     pub fn to_face_list(&self) -> FaceList {
-        let mut list = FaceList::new(self.positions.clone());
-        for triangle in self.triangles() {
-            list.push_face(&triangle.corners().map(|v| v.index() as u32));
-        }
-        list
+        let triangles = parallel::gather(0..self.vertex_count(), |v| {
+            let triangles = self.rotation.triangles_of_smallest(VertexId::new(v));
+            triangles.map(|triangle| triangle.corners().map(|v| v.index() as u32))
+        });
+        FaceList::of_triangles(self.positions.clone(), triangles)
     }
 
     /// Bytes held: rings, positions and tags.

@@ -29,6 +29,7 @@ pub use transaction::Transaction;
 pub use walk::{FaceWalk, VertexLists};
 
 use crate::id::{DirectedEdge, Edge, Triangle, VertexId};
+use crate::parallel;
 
 /// For every vertex the circular list of its neighbours.
 ///
@@ -197,10 +198,13 @@ impl RotationSystem {
 
     /// All triangles, by their smallest corner, then in the order of its ring, provided that all faces are triangles.
     pub fn triangles(&self) -> impl Iterator<Item = Triangle> + Clone {
-        self.vertices().flat_map(|v| {
-            let around = self.ring(v).pairs();
-            around.filter(move |&(a, b)| v < a && v < b).map(move |(a, b)| Triangle::new(v, a, b))
-        })
+        self.vertices().flat_map(|v| self.triangles_of_smallest(v))
+    }
+
+    /// The triangles of which a vertex is the smallest corner, in the order of its ring.
+    pub(crate) fn triangles_of_smallest(&self, v: VertexId) -> impl Iterator<Item = Triangle> + Clone {
+        let around = self.ring(v).pairs();
+        around.filter(move |&(a, b)| v < a && v < b).map(move |(a, b)| Triangle::new(v, a, b))
     }
 
     /// Bytes held: the rings, and what the long ones hold outside of their inline part.
@@ -213,8 +217,10 @@ impl RotationSystem {
 /// Raw writes for the modules that refine and build. Each leaves the counts right; symmetry is the caller's.
 impl RotationSystem {
     pub(crate) fn from_rings(rings: Vec<RingBuf>) -> Self {
-        let entries = rings.iter().map(|ring| ring.as_ring().valence()).sum();
-        let open = rings.iter().filter(|ring| ring.as_ring().is_open()).count();
+        let [entries, open] = parallel::sums(0..rings.len(), |v| {
+            let ring = rings[v].as_ring();
+            [ring.valence(), usize::from(ring.is_open())]
+        });
         Self { rings, entries, open }
     }
 

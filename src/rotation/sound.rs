@@ -10,6 +10,7 @@
 use super::validate::least_valence;
 use super::{Regular, Ring, RotationSystem};
 use crate::id::VertexId;
+use crate::parallel;
 
 /// How many neighbours are compared with, for each neighbour in a ring, on average at most. In a regular mesh it is 6,
 /// and few vertices of high valence change little.
@@ -20,9 +21,13 @@ impl RotationSystem {
     ///
     /// O(vertices + edges). It may be `false` without a breach if many vertices have a high valence.
     pub(super) fn is_seen_sound(&self, triangles: bool) -> bool {
-        let valences = self.vertices().map(|v| self.valence(v));
-        let [entries, compared] = valences.fold([0, 0], |[sum, squares], n| [sum + n, squares + n * n]);
-        compared <= COMPARED * entries && self.vertices().all(|v| self.is_sound_at(v, triangles))
+        let vertices = 0..self.vertex_count();
+        let [entries, compared] = parallel::sums(vertices.clone(), |v| {
+            let n = self.valence(VertexId::new(v));
+            [n, n * n]
+        });
+        compared <= COMPARED * entries
+            && parallel::find(vertices, |v| !self.is_sound_at(VertexId::new(v), triangles)).is_none()
     }
 
     #[inline]

@@ -45,9 +45,12 @@ impl FaceList {
     /// A list of triangles.
     #[must_use]
     pub fn from_triangles(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Self {
-        let corners = triangles.as_flattened().to_vec();
+        Self::of_triangles(positions, triangles.to_vec())
+    }
+
+    pub(crate) fn of_triangles(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
         let ends = (1..=triangles.len()).map(|k| 3 * k as u32).collect();
-        Self { positions, corners, ends }
+        Self { positions, corners: triangles.into_flattened(), ends }
     }
 
     /// Adds a face at the end.
@@ -92,10 +95,10 @@ impl FaceList {
         start..self.ends[k] as usize
     }
 
-    /// The faces as triangles, if they all are.
-    pub(crate) fn triangles(&self) -> Option<impl ExactSizeIterator<Item = [u32; 3]> + Clone> {
+    /// The corners of all faces, if they are triangles.
+    pub(crate) fn triangles(&self) -> Option<&[u32]> {
         let three_each = self.ends.iter().copied().eq((3_u32..).step_by(3).take(self.ends.len()));
-        three_each.then(|| self.corners.chunks_exact(3).map(|face| [face[0], face[1], face[2]]))
+        three_each.then_some(&self.corners)
     }
 
     fn corner_ranges(&self) -> impl Iterator<Item = Range<usize>> {

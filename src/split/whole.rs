@@ -61,8 +61,11 @@ impl<'a> Whole<'a> {
         for own in &mut own {
             edges += std::mem::replace(&mut own.first, edges);
         }
-        let hubs = parallel::filter(0..vertices, |v| Hubs::is_long(rotation, VertexId::new(v)));
-        Self { rotation, history, own, hubs: Hubs::among(rotation, hubs.into_iter().map(VertexId::new)) }
+        let hubs = parallel::gather(0..vertices, |v| {
+            let v = VertexId::new(v);
+            Hubs::is_long(rotation, v).then_some(v)
+        });
+        Self { rotation, history, own, hubs: Hubs::among(rotation, hubs) }
     }
 
     /// Very long rings.
