@@ -1,6 +1,7 @@
 //! A set of vertices.
 
 use crate::id::VertexId;
+use crate::parallel;
 
 /// A set of vertices, kept ascending.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -31,6 +32,12 @@ impl Selection {
     #[must_use]
     pub fn into_vertices(self) -> Vec<VertexId> {
         self.vertices
+    }
+
+    /// Those of a mesh with this many vertices that pass a test.
+    pub(super) fn of_those(vertex_count: usize, test: impl Fn(VertexId) -> bool + Sync + Send) -> Self {
+        let passing = |v: usize| Some(VertexId::new(v)).filter(|&v| test(v));
+        Self { vertices: parallel::gather(0..vertex_count, passing) }
     }
 
     /// The vertices, ascending.

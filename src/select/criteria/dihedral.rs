@@ -7,6 +7,7 @@ use crate::angle::Angle;
 use crate::error::{ConfigError, SelectError};
 use crate::id::VertexId;
 use crate::mesh::Mesh;
+use crate::parallel;
 use crate::query::measure::{angle_between_rad, triangle_normal};
 use crate::scratch::Scratch;
 use crate::select::selection::Selection;
@@ -39,22 +40,26 @@ impl Dihedral {
 
 impl Criterion for Dihedral {
     fn select(&self, mesh: &Mesh, scratch: &mut Scratch) -> Result<Selection, SelectError> {
-        let threshold = self.above.rad();
+        let folds = parallel::gather(0..mesh.vertex_count(), |a| self.folds_from(mesh, VertexId::new(a)));
         let mut marks = scratch.marks(mesh.vertex_count(), 1);
-        for a in mesh.vertices() {
-            let ring = mesh.ring(a);
-            // By slots: to search the ring for each neighbour would cost the square of the valence.
-            for (slot, &b) in ring.neighbors().iter().enumerate() {
-                let (Some(left), Some(right)) = (ring.slot_after(slot), ring.slot_before(slot)) else { continue };
-                let [left, right] = [left, right].map(|slot| ring.neighbors()[slot]);
-                if a < b && angle_rad(mesh, [a, b, left], [b, a, right]).is_some_and(|angle| angle > threshold) {
-                    for v in [a, b, left, right] {
-                        marks.insert(v);
-                    }
-                }
-            }
+        for v in folds.into_iter().flatten() {
+            marks.insert(v);
         }
-        Ok(mesh.vertices().filter(|&v| marks.is_set(v)).collect())
+        Ok(Selection::of_those(mesh.vertex_count(), |v| marks.is_set(v)))
+    }
+}
+
+impl Dihedral {
+    /// The edges folded by more than the threshold that lead from `a` to greater ids: both ends, then the two opposite
+    /// vertices.
+    fn folds_from(self, mesh: &Mesh, a: VertexId) -> impl Iterator<Item = [VertexId; 4]> {
+        let (threshold, ring) = (self.above.rad(), mesh.ring(a));
+        // By slots: to search the ring for each neighbour would cost the square of the valence.
+        ring.iter().enumerate().filter(move |&(_, b)| a < b).filter_map(move |(slot, b)| {
+            let (left, right) = (ring.behind(slot)?, ring.ahead(slot)?);
+            let angle = angle_rad(mesh, [a, b, left], [b, a, right])?;
+            (angle > threshold).then_some([a, b, left, right])
+        })
     }
 }
 

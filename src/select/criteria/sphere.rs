@@ -54,7 +54,7 @@ impl Sphere {
 
 impl Criterion for Sphere {
     fn select(&self, mesh: &Mesh, _: &mut Scratch) -> Result<Selection, SelectError> {
-        Ok(mesh.vertices().filter(|&v| self.contains(mesh.position(v))).collect())
+        Ok(Selection::of_those(mesh.vertex_count(), |v| self.contains(mesh.position(v))))
     }
 }
 
