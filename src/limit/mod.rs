@@ -14,6 +14,7 @@ use glam::DVec3;
 
 use crate::id::VertexId;
 use crate::mesh::{Mesh, Neighborhood, Sector, VertexClass};
+use crate::parallel;
 use crate::scheme::{LoopWeights, MaskSink, cos_of_turn, crease_neighbors};
 
 /// A cross product of tangents is no normal below this, with the spokes of the vertex scaled to at most 1: what is left of
@@ -82,6 +83,20 @@ impl LoopLimit {
         let mut sum = WeightedSum::from(mesh, DVec3::ZERO);
         self.mask(mesh.neighborhood(), v, &mut sum);
         sum.value
+    }
+
+    /// The limit positions of all vertices, by id. O(vertices + edges).
+    ///
+    /// ```
+    /// use vvmesh::{limit::LoopLimit, shapes};
+    /// let (mesh, limit) = (shapes::icosahedron(), LoopLimit::default());
+    /// assert!(limit.positions(&mesh).into_iter().eq(mesh.vertices().map(|v| limit.position(&mesh, v))));
+    /// ```
+    #[must_use]
+    pub fn positions(&self, mesh: &Mesh) -> Vec<DVec3> {
+        let mut positions = Vec::with_capacity(mesh.vertex_count());
+        parallel::append(&mut positions, 0..mesh.vertex_count(), |v| self.position(mesh, VertexId::new(v)));
+        positions
     }
 
     /// How far a smooth vertex of `n` neighbours is from its limit: v − v∞ is this times v − c, `c` being the mean of the

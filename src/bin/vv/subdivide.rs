@@ -264,8 +264,7 @@ fn doubt(certificate: &Certificate<'_>, mesh: &Mesh, v: VertexId) -> String {
 
 /// Moves every vertex to where infinitely many steps would bring it.
 fn move_to_limit(mesh: &mut Mesh, weights: LoopWeights) -> Result<(), Failure> {
-    let limit = LoopLimit::new(weights);
-    let positions: Vec<_> = mesh.vertices().map(|v| limit.position(mesh, v)).collect();
+    let positions = LoopLimit::new(weights).positions(mesh);
     if let Some(k) = positions.iter().position(|position| !position.is_finite()) {
         return refuse(format!(
             "--limit: the limit of {} is not finite; scale the mesh down. Nothing was written",
