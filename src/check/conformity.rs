@@ -5,6 +5,7 @@ use super::{Finding, FindingKind};
 use crate::error::{Defect, DefectKind};
 use crate::id::VertexId;
 use crate::mesh::{self, Mesh};
+use crate::parallel;
 use crate::rotation::RotationSystem;
 use crate::soup::{self, EdgeTable, FaceList, Fans, Sieve};
 
@@ -78,10 +79,12 @@ pub fn mesh_conformity(mesh: &Mesh, tolerance: Option<f64>) -> Report {
 /// Findings on the triangles of a mesh: there are rings exactly if there is no [`Defect`], so what is left is what
 /// depends on positions, and isolated vertices.
 fn of_mesh(list: &FaceList, rotation: &RotationSystem, tolerance: Option<f64>) -> Report {
-    let used: Vec<bool> = rotation.vertices().map(|v| rotation.valence(v) > 0).collect();
+    let mut used = Vec::with_capacity(list.vertex_count());
+    parallel::append(&mut used, 0..list.vertex_count(), |v| rotation.valence(VertexId::new(v)) > 0);
     // Between two boundary vertices an edge has all its faces among those at the boundary.
     let on_boundary = |v: u32| rotation.is_boundary(VertexId::new(v as usize));
-    let at_boundary: Vec<bool> = list.faces().map(|face| face.iter().any(|&v| on_boundary(v))).collect();
+    let mut at_boundary = Vec::with_capacity(list.face_count());
+    parallel::append(&mut at_boundary, 0..list.face_count(), |k| list.face(k).iter().any(|&v| on_boundary(v)));
     let table = EdgeTable::new(list, &at_boundary);
     let edges = table.edges().filter(|edge| edge.is_boundary() && edge.ends().into_iter().all(on_boundary));
     let boundary = Boundary::new(list, &table, edges.collect(), &used, tolerance);
@@ -89,7 +92,7 @@ fn of_mesh(list: &FaceList, rotation: &RotationSystem, tolerance: Option<f64>) -
     let mut findings = boundary.t_junctions().findings;
     findings.extend(boundary.cracks().findings);
     findings.extend(isolated(list, &used));
-    findings.extend(soup::non_finite(list).filter_map(finding));
+    findings.extend(soup::non_finite(list).into_iter().filter_map(finding));
     Report { findings, tolerance: boundary.tolerance() }
 }
 
@@ -140,15 +143,15 @@ fn finding(defect: Defect) -> Option<Finding> {
     Some(Finding { kind, message: defect.message, vertices: defect.vertices, faces: defect.faces })
 }
 
-fn isolated(list: &FaceList, used: &[bool]) -> impl Iterator<Item = Finding> {
-    (0..list.vertex_limit()).filter(|&k| !used[k]).map(|k| {
+fn isolated(list: &FaceList, used: &[bool]) -> Vec<Finding> {
+    parallel::gather(0..list.vertex_limit(), |k| {
         let v = VertexId::new(k);
-        Finding {
+        (!used[k]).then(|| Finding {
             kind: FindingKind::IsolatedVertex,
             message: format!("{v} has no face"),
             vertices: vec![v],
             faces: Vec::new(),
-        }
+        })
     })
 }
 

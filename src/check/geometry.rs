@@ -8,6 +8,7 @@ use rstar::{AABB, RTree, SelectionFunction};
 
 use super::{Finding, FindingKind};
 use crate::id::VertexId;
+use crate::parallel;
 use crate::soup::{EdgeTable, FaceList, TableEdge, enumerated};
 
 /// The default tolerance, as a part of the diagonal of the box around the vertices in use.
@@ -73,14 +74,9 @@ impl<'a> Boundary<'a> {
             Some(given) => given.max(0.0) * scale,
             None => PART_OF_DIAGONAL * min.distance(max),
         };
-        Self {
-            table,
-            edges,
-            points: list.positions.iter().map(|&p| p * scale).collect(),
-            scale,
-            tolerance,
-            reach: greatest * scale,
-        }
+        let mut points = Vec::with_capacity(list.vertex_count());
+        parallel::append(&mut points, 0..list.vertex_count(), |v| list.positions[v] * scale);
+        Self { table, edges, points, scale, tolerance, reach: greatest * scale }
     }
 
     /// The distance up to which a vertex counts as lying on an edge.
@@ -101,25 +97,31 @@ impl<'a> Boundary<'a> {
         let tree = RTree::bulk_load(places.collect());
 
         let mut gaps = Gaps::default();
-        for &edge in &self.edges {
-            let [a, b] = edge.ends().map(|v| self.points[v as usize]);
-            let length_squared = a.distance_squared(b);
-            if length_squared == 0.0 || !length_squared.is_finite() {
-                continue;
-            }
-            let around = Around::new(a, b, self.tolerance, self.reach * 1e-12);
-            let on_edge = tree.locate_with_selection_function(around).flat_map(|place| {
-                let (start, end) = place.data;
-                &by_place[start as usize..end as usize]
-            });
-            let mut on_edge: Vec<u32> = on_edge.copied().take(ON_ONE_EDGE).collect();
-            if !on_edge.is_empty() {
-                let along = |v: u32| (self.points[v as usize] - a).dot(b - a);
-                on_edge.sort_by(|&v, &w| along(v).total_cmp(&along(w)).then(v.cmp(&w)));
-                self.add_t_junction(edge, &on_edge, &mut gaps);
-            }
+        for (k, on_edge) in parallel::gather(0..self.edges.len(), |k| {
+            let on_edge = self.on_edge(self.edges[k], &tree, &by_place);
+            (!on_edge.is_empty()).then_some((k, on_edge))
+        }) {
+            self.add_t_junction(self.edges[k], &on_edge, &mut gaps);
         }
         gaps
+    }
+
+    /// The vertices within the tolerance of the inside of an edge, from its smaller end on.
+    fn on_edge(&self, edge: TableEdge<'_>, tree: &RTree<Place>, by_place: &[u32]) -> Vec<u32> {
+        let [a, b] = edge.ends().map(|v| self.points[v as usize]);
+        let length_squared = a.distance_squared(b);
+        if length_squared == 0.0 || !length_squared.is_finite() {
+            return Vec::new();
+        }
+        let around = Around::new(a, b, self.tolerance, self.reach * 1e-12);
+        let on_edge = tree.locate_with_selection_function(around).flat_map(|place| {
+            let (start, end) = place.data;
+            &by_place[start as usize..end as usize]
+        });
+        let mut on_edge: Vec<u32> = on_edge.copied().take(ON_ONE_EDGE).collect();
+        let along = |v: u32| (self.points[v as usize] - a).dot(b - a);
+        on_edge.sort_by(|&v, &w| along(v).total_cmp(&along(w)).then(v.cmp(&w)));
+        on_edge
     }
 
     /// One finding for each flat loop of three boundary edges.

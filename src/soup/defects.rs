@@ -6,6 +6,7 @@ use super::sieve::Sieve;
 use super::table::{EdgeTable, Fans, TableEdge};
 use crate::error::{Defect, DefectKind};
 use crate::id::VertexId;
+use crate::parallel;
 
 impl FaceList {
     /// Every defect of the list: whatever keeps its faces from being an oriented 2-manifold, with or without boundary.
@@ -50,16 +51,15 @@ impl FaceList {
 }
 
 /// One for each vertex with a coordinate that is no finite number.
-pub(crate) fn non_finite(list: &FaceList) -> impl Iterator<Item = Defect> {
-    let positions = list.positions[..list.vertex_limit()].iter().enumerate();
-    positions.filter(|(_, p)| !p.is_finite()).map(|(k, p)| {
-        let v = VertexId::new(k);
-        Defect {
+pub(crate) fn non_finite(list: &FaceList) -> Vec<Defect> {
+    parallel::gather(0..list.vertex_limit(), |k| {
+        let (v, p) = (VertexId::new(k), list.positions[k]);
+        (!p.is_finite()).then(|| Defect {
             kind: DefectKind::NonFinite,
             vertices: vec![v],
             faces: Vec::new(),
             message: format!("{v} is at ({}, {}, {}), which is not finite", p.x, p.y, p.z),
-        }
+        })
     })
 }
 
