@@ -1,0 +1,95 @@
+//! How much faster is work on a whole mesh on two threads than on one?
+//!
+//! A mesh of 1.3 million triangles. The same work is done on one thread and on two in turns, as a machine's speed drifts; told
+//! are the best times and their ratio. `cargo bench --bench threads -- NAME` measures what has the name in its own;
+//! `--test` does everything once.
+
+#![allow(clippy::print_stdout, reason = "the ratios are the result")]
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use vvmesh::adaptive::Uniform;
+use vvmesh::check::{conformity, mesh_conformity};
+use vvmesh::glam::DVec3;
+use vvmesh::limit::LoopLimit;
+use vvmesh::scheme::{AnyScheme, Butterfly, Loop, Midpoint, ModifiedButterfly};
+use vvmesh::scratch::Scratch;
+use vvmesh::select::{Criterion, Dihedral, Selection, Sphere};
+use vvmesh::step::{History, Keep};
+use vvmesh::subdivide::{Control, Subdivider};
+use vvmesh::{Angle, Mesh, shapes};
+
+/// It keeps what was given back for a second, so that a run finds pages that were touched before.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
+const ROUNDS: usize = 40;
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let rounds = if arguments.iter().any(|argument| argument == "--test") { 1 } else { ROUNDS };
+    let wanted = arguments.into_iter().find(|argument| !argument.starts_with('-')).unwrap_or_default();
+    let pools =
+        [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started"));
+    let measure = |name: &str, work: &mut dyn FnMut(&ThreadPool) -> Duration| {
+        if !name.contains(&wanted) {
+            return;
+        }
+        let mut best = [Duration::MAX; 2];
+        for _ in 0..rounds {
+            for (best, pool) in best.iter_mut().zip(&pools) {
+                *best = work(pool).min(*best);
+            }
+        }
+        let [one, two] = best.map(|time| 1e3 * time.as_secs_f64());
+        println!("threads/{name}: {one:.1} ms on one, {two:.1} ms on two, {:.2} times as fast", one / two);
+    };
+
+    let coarse = shapes::torus(640, 256, 2.0, 1.0);
+    let schemes: [(&str, AnyScheme); 4] = [
+        ("loop", Loop::default().into()),
+        ("butterfly", Butterfly.into()),
+        ("modified-butterfly", ModifiedButterfly.into()),
+        ("midpoint", Midpoint.into()),
+    ];
+    for (name, scheme) in schemes {
+        let subdivider = Subdivider::new(scheme, Uniform);
+        measure(&format!("uniform-{name}"), &mut |pool| {
+            let mut mesh = coarse.clone();
+            timed(pool, || refine(&subdivider, &mut mesh))
+        });
+    }
+
+    let mut mesh = coarse;
+    refine(&Subdivider::new(Loop::default(), Uniform), &mut mesh);
+    let list = mesh.to_face_list();
+    let sphere = Sphere::new(DVec3::X, 2.0).expect("a radius");
+    let folded = Dihedral::new(Angle::from_deg(0.5)).expect("an angle");
+    measure("build", &mut |pool| timed(pool, || Mesh::from_face_list(&list)));
+    measure("validate", &mut |pool| timed(pool, || mesh.rotation().validate_triangles()));
+    measure("conformity", &mut |pool| timed(pool, || conformity(&list, None)));
+    measure("mesh-conformity", &mut |pool| timed(pool, || mesh_conformity(&mesh, None)));
+    measure("limit", &mut |pool| timed(pool, || LoopLimit::default().positions(&mesh)));
+    for (name, criterion) in [("sphere", &sphere as &(dyn Criterion + Sync)), ("dihedral", &folded)] {
+        measure(&format!("select-{name}"), &mut |pool| timed(pool, || criterion.select(&mesh, &mut Scratch::new())));
+    }
+}
+
+fn timed<T: Send>(pool: &ThreadPool, work: impl FnOnce() -> T + Send) -> Duration {
+    pool.install(|| {
+        let start = Instant::now();
+        let result = black_box(work());
+        let time = start.elapsed();
+        drop(result);
+        time
+    })
+}
+
+fn refine(subdivider: &Subdivider, mesh: &mut Mesh) {
+    let mut history = History::new(mesh, Keep::default());
+    subdivider
+        .step(mesh, &mut history, &Selection::empty(), &mut Scratch::new(), &mut Control::default())
+        .expect("a torus can be refined");
+}
