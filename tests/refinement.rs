@@ -555,3 +555,34 @@ fn powers_of_two_are_carried_exactly() {
         assert!(one.mesh.vertices().all(|v| bits(one.mesh.position(v) * 1024.0) == bits(other.mesh.position(v))));
     }
 }
+
+/// Whatever is kept beside a mesh, uniform steps and a step on a region after them do and prove the same.
+fn what_is_kept_changes_nothing<S: Surface>(surface: S, picks: Picks, scheme: u8) {
+    let mesh = surface.mesh();
+    let (_, scheme) = schemes()[usize::from(scheme) % 5].clone();
+    let selection = picks.patch(&mesh);
+    let run = |keep: Keep| {
+        let mut run = Run { mesh: mesh.clone(), history: History::new(&mesh, keep) };
+        let mut selection = selection.clone();
+        let mut steps = Vec::new();
+        for method in [Subdivider::new(scheme.clone(), Uniform), with_rings(scheme.clone(), 1)] {
+            for _ in 0..2 {
+                let step = run.step(&method, &selection);
+                selection = step.selection.clone();
+                steps.push(step);
+            }
+        }
+        (run.bits(), run.history.max_valence(), steps)
+    };
+    let all = run(Keep { names: true, certificate: true });
+    assert_eq!(run(Keep { names: false, certificate: true }), all);
+    let (bits, max_valence, mut steps) = all;
+    steps.iter_mut().for_each(|step| step.certified = None);
+    assert_eq!(run(Keep { names: true, certificate: false }), (bits, max_valence, steps));
+}
+
+#[test]
+fn what_a_history_keeps_changes_nothing() {
+    check(47, 30, what_is_kept_changes_nothing::<Closed> as fn(Closed, Picks, u8));
+    check(48, 30, what_is_kept_changes_nothing::<WithBoundary> as fn(WithBoundary, Picks, u8));
+}
