@@ -57,17 +57,22 @@ fn main() {
     for (name, scheme) in schemes {
         let subdivider = Subdivider::new(scheme, Uniform);
         measure(&format!("uniform-{name}"), &mut |pool| {
-            let mut mesh = coarse.clone();
-            timed(pool, || refine(&subdivider, &mut mesh))
+            let (mut mesh, mut history) = (coarse.clone(), History::new(&coarse, Keep::default()));
+            timed(pool, || refine(&subdivider, &mut mesh, &mut history))
         });
     }
 
-    let mut mesh = coarse;
-    refine(&Subdivider::new(Loop::default(), Uniform), &mut mesh);
+    let (mut mesh, mut history) = (coarse.clone(), History::new(&coarse, Keep::default()));
+    refine(&Subdivider::new(Loop::default(), Uniform), &mut mesh, &mut history);
     let list = mesh.to_face_list();
     let sphere = Sphere::new(DVec3::X, 2.0).expect("a radius");
     let folded = Dihedral::new(Angle::from_deg(0.5)).expect("an angle");
-    measure("build", &mut |pool| timed(pool, || Mesh::from_face_list(&list)));
+    let triangles: Vec<[u32; 3]> =
+        mesh.triangles().map(|triangle| triangle.corners().map(|v| v.index() as u32)).collect();
+    measure("build", &mut |pool| {
+        let positions = list.positions.clone();
+        timed(pool, || Mesh::from_triangles(positions, &triangles))
+    });
     measure("validate", &mut |pool| timed(pool, || mesh.rotation().validate_triangles()));
     measure("conformity", &mut |pool| timed(pool, || conformity(&list, None)));
     measure("mesh-conformity", &mut |pool| timed(pool, || mesh_conformity(&mesh, None)));
@@ -87,9 +92,8 @@ fn timed<T: Send>(pool: &ThreadPool, work: impl FnOnce() -> T + Send) -> Duratio
     })
 }
 
-fn refine(subdivider: &Subdivider, mesh: &mut Mesh) {
-    let mut history = History::new(mesh, Keep::default());
+fn refine(subdivider: &Subdivider, mesh: &mut Mesh, history: &mut History) {
     subdivider
-        .step(mesh, &mut history, &Selection::empty(), &mut Scratch::new(), &mut Control::default())
+        .step(mesh, history, &Selection::empty(), &mut Scratch::new(), &mut Control::default())
         .expect("a torus can be refined");
 }

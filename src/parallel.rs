@@ -149,7 +149,8 @@ fn many(elements: usize) -> bool {
     elements >= 2 * SHARE && rayon::current_num_threads() > 1
 }
 
-#[cfg(all(test, feature = "parallel"))]
+#[cfg(feature = "parallel")]
+#[cfg(test)]
 mod tests {
     use std::collections::HashSet;
     use std::sync::{Condvar, Mutex};

@@ -1,5 +1,6 @@
 //! T-junctions and cracks: where boundaries lie so close to each other that a gap between faces was not meant.
 
+use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
 use glam::DVec3;
@@ -37,7 +38,7 @@ pub(super) struct Boundary<'a> {
     table: &'a EdgeTable<'a>,
     edges: Vec<TableEdge<'a>>,
     /// All positions, scaled so that squares of distances are finite.
-    points: Vec<DVec3>,
+    points: Cow<'a, [DVec3]>,
     /// What positions were multiplied by.
     scale: f64,
     /// The tolerance after scaling.
@@ -56,7 +57,7 @@ pub(super) struct Gaps {
 impl<'a> Boundary<'a> {
     /// The boundary `edges` of a table, in its order.
     pub(super) fn new(
-        list: &FaceList,
+        list: &'a FaceList,
         table: &'a EdgeTable<'a>,
         edges: Vec<TableEdge<'a>>,
         used: &[bool],
@@ -74,8 +75,10 @@ impl<'a> Boundary<'a> {
             Some(given) => given.max(0.0) * scale,
             None => PART_OF_DIAGONAL * min.distance(max),
         };
-        let mut points = Vec::with_capacity(list.vertex_count());
-        parallel::append(&mut points, 0..list.vertex_count(), |v| list.positions[v] * scale);
+        let points = match scale {
+            1.0 => Cow::Borrowed(list.positions.as_slice()),
+            _ => list.positions.iter().map(|&p| p * scale).collect(),
+        };
         Self { table, edges, points, scale, tolerance, reach: greatest * scale }
     }
 

@@ -7,8 +7,8 @@ use super::FaceList;
 use super::disjoint::DisjointSets;
 use crate::id::{Edge, VertexId};
 
-/// In place of the face of a corner whose face was left out.
-const LEFT_OUT: u32 = u32::MAX;
+/// In place of the face of a corner whose face was left out. Zeros need not be written, so what is left out costs nothing.
+const LEFT_OUT: u32 = 0;
 
 /// The edges of some of the faces of a list, by their smaller end, then their larger.
 ///
@@ -17,8 +17,8 @@ const LEFT_OUT: u32 = u32::MAX;
 #[derive(Debug)]
 pub(crate) struct EdgeTable<'a> {
     list: &'a FaceList,
-    /// The face of each corner.
-    face_of: Vec<u32>,
+    /// One more than the face of each corner, or [`LEFT_OUT`].
+    face_after: Vec<u32>,
     /// For every vertex where the uses of its edges to greater vertices start.
     starts: Vec<u32>,
     uses: Vec<Use>,
@@ -36,10 +36,10 @@ impl<'a> EdgeTable<'a> {
     ///
     /// O(vertices + corners), and O(d log d) for the d greater neighbours of a vertex.
     pub(crate) fn new(list: &'a FaceList, included: &[bool]) -> Self {
-        let mut face_of = vec![LEFT_OUT; list.corners.len()];
+        let mut face_after = vec![LEFT_OUT; list.corners.len()];
         let mut starts = vec![0_u32; list.vertex_count() + 1];
         for (k, corners) in list.corner_ranges().enumerate().filter(|&(k, _)| included[k]) {
-            face_of[corners.clone()].fill(k as u32);
+            face_after[corners.clone()].fill(k as u32 + 1);
             for [a, b] in sides(&list.corners[corners]).filter(|[a, b]| a != b) {
                 starts[a.min(b) as usize + 1] += 1;
             }
@@ -59,7 +59,7 @@ impl<'a> EdgeTable<'a> {
         for ends in starts.windows(2) {
             uses[ends[0] as usize..ends[1] as usize].sort_unstable();
         }
-        Self { list, face_of, starts, uses }
+        Self { list, face_after, starts, uses }
     }
 
     /// All edges in their order.
@@ -81,8 +81,9 @@ impl<'a> EdgeTable<'a> {
 
     /// The corners of all faces, each with its vertex and its face.
     pub(crate) fn corners(&self) -> impl Iterator<Item = (u32, u32, usize)> {
-        let with_face = self.list.corners.iter().zip(&self.face_of).enumerate();
-        with_face.filter(|(_, (_, face))| **face != LEFT_OUT).map(|(k, (&v, &face))| (k as u32, v, face as usize))
+        let corners = self.list.corners.iter().zip(&self.face_after).enumerate();
+        let included = corners.filter(|(_, (_, face_after))| **face_after != LEFT_OUT);
+        included.map(|(k, (&v, &face_after))| (k as u32, v, face_after as usize - 1))
     }
 
     /// One more than the greatest face.
@@ -94,9 +95,14 @@ impl<'a> EdgeTable<'a> {
         &self.uses[self.starts[smaller as usize] as usize..self.starts[smaller as usize + 1] as usize]
     }
 
+    /// The face of a corner that was not left out.
+    fn face(&self, corner: u32) -> usize {
+        self.face_after[corner as usize] as usize - 1
+    }
+
     /// The corner behind a corner in its face.
     fn next(&self, corner: u32) -> u32 {
-        let face = self.face_of[corner as usize] as usize;
+        let face = self.face(corner);
         if corner + 1 < self.list.ends[face] { corner + 1 } else { self.list.corner_range(face).start as u32 }
     }
 }
@@ -134,7 +140,7 @@ impl<'a> TableEdge<'a> {
 
     /// The faces, ascending.
     pub(crate) fn faces(self) -> impl ExactSizeIterator<Item = usize> + use<'a> {
-        self.uses.iter().map(move |one| self.table.face_of[one.corner as usize] as usize)
+        self.uses.iter().map(move |one| self.table.face(one.corner))
     }
 
     /// For every face whether it runs from the smaller end to the larger.
