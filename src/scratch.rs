@@ -11,6 +11,9 @@ use std::fmt;
 
 use crate::id::VertexId;
 
+/// So many lists are kept; a step takes four.
+const LISTS: usize = 8;
+
 /// Stamps of 4 bytes a vertex and some buffers, allocated once and kept from search to search and from step to step.
 #[derive(Default)]
 pub struct Scratch {
@@ -54,15 +57,24 @@ impl Scratch {
         Marks { stamps: &mut self.stamps, base, values }
     }
 
+    /// Marks of one value on these vertices of a mesh with this many. O(marked vertices), as for [`Scratch::marks`].
+    pub(crate) fn marked(&mut self, vertex_count: usize, vertices: &[VertexId]) -> Marks<'_> {
+        let mut marks = self.marks(vertex_count, 1);
+        for &v in vertices {
+            marks.set(v, 0);
+        }
+        marks
+    }
+
     /// An empty list, in memory that was given back if there is any.
     #[must_use]
     pub fn take_list(&mut self) -> Vec<VertexId> {
         self.lists.pop().unwrap_or_default()
     }
 
-    /// Gives the memory of a list back.
+    /// Gives the memory of a list back, to be kept unless there is much already.
     pub fn give_list(&mut self, mut list: Vec<VertexId>) {
-        if list.capacity() > 0 {
+        if list.capacity() > 0 && self.lists.len() < LISTS {
             list.clear();
             self.lists.push(list);
         }
@@ -148,6 +160,10 @@ mod tests {
         scratch.give_list(list);
         let list = scratch.take_list();
         assert_eq!((list.len(), list.as_ptr()), (0, memory));
+        for _ in 0..2 * LISTS {
+            scratch.give_list(vec![VertexId::new(0)]);
+        }
+        assert_eq!(scratch.memory_bytes(), LISTS * size_of::<VertexId>());
         let mut numbers: Box<Vec<u8>> = scratch.take();
         numbers.push(7);
         scratch.give(numbers);

@@ -244,18 +244,45 @@ fn a_step_can_be_stopped_whenever_it_asks() {
     assert_eq!(run.bits(), after.bits());
 }
 
+/// Without names the whole mesh is refined at once, and there are as many blocks as there is work to share.
+#[test]
+fn a_step_of_a_whole_mesh_can_be_stopped_whenever_it_asks() {
+    for (scheme, asked) in [(AnyScheme::from(Loop::default()), 4), (Midpoint.into(), 2)] {
+        let subdivider = Subdivider::new(scheme, Uniform);
+        let mesh = shapes::torus(300, 250, 2.0, 1.0);
+        let mut run = Run { history: History::new(&mesh, Keep::default()), mesh };
+        let total = 225_000 + if asked == 4 { 75_000 } else { 0 };
+        for stop_at in 0..asked {
+            let mut seen: Vec<Progress> = Vec::new();
+            let mut report = |progress| {
+                seen.push(progress);
+                if seen.len() > stop_at { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            };
+            assert_unchanged(&mut run, &RefineError::Cancelled, |Run { mesh, history }| {
+                let mut control = Control { max_faces: None, progress: Some(&mut report) };
+                subdivider.step(mesh, history, &Selection::empty(), &mut Scratch::new(), &mut control).map(|_| ())
+            });
+            assert_eq!(seen.len(), stop_at + 1);
+            assert_eq!(seen[0], Progress { done: 0, total });
+            assert!(seen.is_sorted_by(|one, next| one.done < next.done && next.done < total));
+        }
+    }
+}
+
 /// Two vertices near the end are too far out, so most positions are computed and taken back.
 #[test]
 fn a_sum_that_overflows_is_refused() {
     for (name, scheme) in schemes() {
         let mut mesh = shapes::torus(40, 30, 2.0, 1.0);
         mesh.positions_mut()[1198..].fill(DVec3::splat(f64::MAX));
-        for subdivider in [Subdivider::new(scheme.clone(), Uniform), Subdivider::new(scheme, Simple)] {
-            let mut run = Run::new(&mesh);
+        let [uniform, simple] = [Subdivider::new(scheme.clone(), Uniform), Subdivider::new(scheme, Simple)];
+        for (subdivider, names) in [(&uniform, true), (&uniform, false), (&simple, true)] {
+            let history = History::new(&mesh, Keep { names, certificate: false });
+            let mut run = Run { mesh: mesh.clone(), history };
             let refused = RefineError::NonFinite(VertexId::new(1198));
-            assert_unchanged(&mut run, &refused, |run| one_step(run, &subdivider, &Selection::all(1200)));
+            assert_unchanged(&mut run, &refused, |run| one_step(run, subdivider, &Selection::all(1200)));
             run.mesh.positions_mut()[1198..].fill(DVec3::ONE);
-            assert_eq!(one_step(&mut run, &subdivider, &Selection::all(1200)), Ok(()), "{name}");
+            assert_eq!(one_step(&mut run, subdivider, &Selection::all(1200)), Ok(()), "{name}");
         }
     }
 }

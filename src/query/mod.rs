@@ -4,8 +4,7 @@
 //! the few measures of a whole mesh.
 //!
 //! Read in this order: [`star()`] (a vertex and what touches it), [`r_disk`], [`r_ring`] and [`expand`] (vertices by
-//! distance),
-//! [`measure`] (lengths, angles, areas, normals).
+//! distance), [`measure`] (lengths, angles, areas, normals).
 //!
 //! **Deliberately not here**: components, boundary loops and genus, which the rings alone answer
 //! ([`crate::rotation`]), and shortest paths, which petgraph finds ([`crate::graph`]).

@@ -93,10 +93,7 @@ pub(crate) fn plan(
             planner.split_between(vertices, |_| true);
         }
         RegionKind::Induced(_) => {
-            let mut marks = scratch.marks(rotation.vertex_count(), 1);
-            for &v in vertices {
-                marks.set(v, 0);
-            }
+            let marks = scratch.marked(rotation.vertex_count(), vertices);
             planner.split_between(vertices, |v| marks.is_set(v));
         }
         RegionKind::Edges(edges) => planner.split_listed(edges),

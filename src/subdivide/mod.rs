@@ -21,7 +21,7 @@ use crate::error::RefineError;
 use crate::id::{Edge, VertexId};
 use crate::mesh::Mesh;
 use crate::scheme::{AnyScheme, with_scheme};
-use crate::scratch::{Marks, Scratch};
+use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::quadrisect::{self, Closing, Plan};
 use crate::split::whole::Whole;
@@ -42,8 +42,8 @@ pub struct Progress {
 pub struct Control<'a> {
     /// How many faces the mesh may have after the step; `None` for any number.
     pub max_faces: Option<u64>,
-    /// Called before every 1024 new positions; answering [`ControlFlow::Break`] ends the step, and the mesh stays as it
-    /// was.
+    /// Called before the first new position and again and again: before every 1024 of a region, and of a whole mesh before
+    /// those around every 65,536 old vertices. Answering [`ControlFlow::Break`] ends the step, and the mesh stays as it was.
     pub progress: Option<&'a mut dyn FnMut(Progress) -> ControlFlow<()>>,
 }
 
@@ -196,15 +196,14 @@ impl Subdivider {
         let new_positions = with_scheme!(&self.scheme, scheme => positions::of_whole(scheme, mesh, &whole, control)?);
 
         // From here on nothing can fail.
-        let followed = if selection.len() == old {
-            Selection::all(old + new)
+        let mut followed = scratch.take_list();
+        followed.extend_from_slice(selection.vertices());
+        if selection.len() == old {
+            followed.extend((old..old + new).map(VertexId::new));
         } else {
-            let mut vertices = scratch.take_list();
-            vertices.extend_from_slice(selection.vertices());
-            let marks = mark(selection, old, scratch);
-            whole.append_between(selection.vertices(), |w| marks.is_set(w), &mut vertices);
-            Selection::ascending(vertices)
-        };
+            let marks = scratch.marked(old, selection.vertices());
+            whole.append_between(selection.vertices(), |w| marks.is_set(w), &mut followed);
+        }
         let rings = whole.rings();
         let mut sharp: Vec<(VertexId, Edge)> =
             mesh.tags().sharp_edges().into_iter().map(|edge| (whole.on(edge), edge)).collect();
@@ -227,7 +226,7 @@ impl Subdivider {
             old + new
         });
         Ok(Step {
-            selection: followed,
+            selection: Selection::ascending(followed),
             selected: selection.len(),
             region: old,
             split_edges: new,
@@ -250,7 +249,26 @@ impl Subdivider {
             control.allow(mesh.vertex_count() + mesh.edge_count(), mesh.face_count(), 3 * mesh.face_count())?;
         }
         let mut buffers = scratch.take::<Buffers>();
-        let Buffers { plan, levels, positions, handed, closing } = &mut *buffers;
+        let step = self.refine_with(&mut buffers, mesh, history, selection, region, scratch, control);
+        scratch.give(buffers);
+        step
+    }
+
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "those of a step, and its buffers apart from the scratch they lie in"
+    )]
+    fn refine_with(
+        &self,
+        buffers: &mut Buffers,
+        mesh: &mut Mesh,
+        history: &mut History,
+        selection: &Selection,
+        region: &Region,
+        scratch: &mut Scratch,
+        control: &mut Control<'_>,
+    ) -> Result<Step, RefineError> {
+        let Buffers { plan, levels, positions, handed, closing } = buffers;
         let moving = region.vertices(mesh.vertex_count());
         quadrisect::plan(plan, mesh.rotation(), history, region, &moving, scratch);
         control.allow(plan.first + plan.edges.len(), mesh.face_count(), plan.added_faces)?;
@@ -277,7 +295,7 @@ impl Subdivider {
         });
         let made = levels.iter().copied().zip(plan.edges.iter().map(quadrisect::SplitEdge::ends));
         history.record(mesh.vertex_count(), made, &closing.edges, closing.max_valence);
-        let step = Step {
+        Ok(Step {
             selection: follow(selection, plan, mesh.vertex_count(), scratch),
             selected: selection.len(),
             region: moving.len(),
@@ -286,9 +304,7 @@ impl Subdivider {
             o_vertices: std::mem::replace(&mut closing.o_vertices, scratch.take_list()),
             certified,
             unproven: Vec::new(),
-        };
-        scratch.give(buffers);
-        Ok(step)
+        })
     }
 }
 
@@ -329,16 +345,7 @@ fn split(mesh: &mut Mesh, plan: &Plan, closing: &mut Closing, diagonal: Diagonal
 fn follow(selection: &Selection, plan: &Plan, vertex_count: usize, scratch: &mut Scratch) -> Selection {
     let mut vertices = scratch.take_list();
     vertices.extend_from_slice(selection.vertices());
-    let marks = mark(selection, vertex_count, scratch);
+    let marks = scratch.marked(vertex_count, selection.vertices());
     vertices.extend(plan.odd().filter(|(_, edge)| edge.ends().iter().all(|&end| marks.is_set(end))).map(|(x, _)| x));
     Selection::ascending(vertices)
-}
-
-/// Marks on the selected vertices of a mesh with this many.
-fn mark<'a>(selection: &Selection, vertex_count: usize, scratch: &'a mut Scratch) -> Marks<'a> {
-    let mut marks = scratch.marks(vertex_count, 1);
-    for &v in selection.vertices() {
-        marks.set(v, 0);
-    }
-    marks
 }

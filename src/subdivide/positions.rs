@@ -78,22 +78,20 @@ pub(super) fn of_whole<S: Scheme + Sync>(
     control: &mut Control<'_>,
 ) -> Result<Vec<DVec3>, RefineError> {
     let (around, old) = (mesh.neighborhood().with_hubs(whole.hubs()), mesh.positions());
-    let total = old.len() + mesh.edge_count();
-    let mut new = Vec::with_capacity(total);
+    let mut new = Vec::with_capacity(old.len() + mesh.edge_count());
+    let kept = if scheme.moves_even() { 0 } else { old.len() };
+    let total = old.len() + mesh.edge_count() - kept;
     if scheme.moves_even() {
         for block in whole.blocks() {
             control.report(new.len(), total)?;
-            parallel::append(&mut new, block.clone(), |v| even(scheme, around, old, VertexId::new(v)));
-            if let Some(v) = parallel::find(block, |v| !new[v].is_finite()) {
-                return Err(RefineError::NonFinite(VertexId::new(v)));
-            }
+            parallel::append(&mut new, block, |v| even(scheme, around, old, VertexId::new(v)));
         }
     } else {
         new.extend_from_slice(old);
     }
     for block in whole.blocks() {
         let done = new.len();
-        control.report(done, total)?;
+        control.report(done - kept, total)?;
         whole.append_odd(block.clone(), &mut new, |parent| odd(scheme, around, old, &parent));
         if let Some(k) = parallel::find(done..new.len(), |k| !new[k].is_finite()) {
             let mut ends = Vec::new();
@@ -101,7 +99,11 @@ pub(super) fn of_whole<S: Scheme + Sync>(
             return Err(RefineError::NonFinite(ends[k - done].expect("an edge has an end")));
         }
     }
-    Ok(new)
+    // Last, as when a region is refined, so that the same vertex is to blame.
+    match parallel::find(0..old.len(), |v| !new[v].is_finite()) {
+        Some(v) => Err(RefineError::NonFinite(VertexId::new(v))),
+        None => Ok(new),
+    }
 }
 
 /// The new position of an old vertex.
