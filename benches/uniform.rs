@@ -1,8 +1,8 @@
 //! How long does uniform refinement take for each face of the result?
 //!
 //! A torus of 5,120 triangles is refined to 1.3 million by four steps. Beside it stand plain copies of as many bytes as the
-//! result holds: into fresh memory, whose pages the system has to provide first, as it has for a growing mesh, and into
-//! memory that was touched before. With the feature `parallel` all is measured on one thread and on two.
+//! result holds: into memory that is asked for anew, as for a growing mesh, and into memory that was touched before. All on
+//! one thread; `threads` compares.
 
 #![allow(clippy::print_stdout, reason = "the memory is told beside the times")]
 
@@ -34,41 +34,8 @@ fn refined(subdivider: &Subdivider, mut mesh: Mesh) -> Mesh {
     mesh
 }
 
-#[cfg(feature = "parallel")]
-const THREADS: [usize; 2] = [1, 2];
-#[cfg(not(feature = "parallel"))]
-const THREADS: [usize; 1] = [1];
-
-/// Threads that wait for work.
-struct Pool {
-    #[cfg(feature = "parallel")]
-    threads: rayon::ThreadPool,
-}
-
-impl Pool {
-    #[cfg(feature = "parallel")]
-    fn new(threads: usize) -> Self {
-        let builder = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        Self { threads: builder.build().expect("threads can be started") }
-    }
-
-    #[cfg(feature = "parallel")]
-    fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
-        self.threads.install(work)
-    }
-
-    #[cfg(not(feature = "parallel"))]
-    fn new(_threads: usize) -> Self {
-        Self {}
-    }
-
-    #[cfg(not(feature = "parallel"))]
-    fn run<T>(&self, work: impl FnOnce() -> T) -> T {
-        work()
-    }
-}
-
 fn uniform(criterion: &mut Criterion) {
+    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("no pool was made before");
     let coarse = shapes::torus(80, 32, 2.0, 1.0);
     let faces = coarse.face_count() * 4_usize.pow(STEPS);
     let mut group = criterion.benchmark_group("uniform");
@@ -82,13 +49,9 @@ fn uniform(criterion: &mut Criterion) {
     ];
     for (name, scheme) in schemes {
         let subdivider = Subdivider::new(scheme, Uniform);
-        for threads in THREADS {
-            let (name, pool) = (format!("{name}-{threads}"), Pool::new(threads));
-            group.bench_function(BenchmarkId::new(name, faces), |bencher| {
-                let refine = |mesh| pool.run(|| refined(&subdivider, mesh));
-                bencher.iter_batched(|| coarse.clone(), refine, BatchSize::PerIteration);
-            });
-        }
+        group.bench_function(BenchmarkId::new(name, faces), |bencher| {
+            bencher.iter_batched(|| coarse.clone(), |mesh| refined(&subdivider, mesh), BatchSize::PerIteration);
+        });
     }
 
     let result = refined(&Subdivider::new(Loop::default(), Uniform), coarse.clone());
