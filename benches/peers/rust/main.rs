@@ -110,7 +110,9 @@ fn measure(
         let mut ours = None;
         for round in 0..arguments.rounds {
             eprintln!("{}: {}, round {} of {}", workload.name, task.name(), round + 1, arguments.rounds);
-            for (pages, ready) in Pages::ALL.iter().flat_map(|&pages| peers.iter().map(move |ready| (pages, ready))) {
+            // Another peer is the first in each round: to it falls what a change of pages costs the machine.
+            let order = || peers.iter().cycle().skip(round).take(peers.len());
+            for (pages, ready) in Pages::ALL.iter().flat_map(|&pages| order().map(move |ready| (pages, ready))) {
                 let answer = ready.ask(task, workload, pages, file, arguments.seconds);
                 let Some(answer) = answer.transpose() else {
                     continue;
