@@ -1,14 +1,16 @@
 //! How much faster is work on a whole mesh on two threads than on one?
 //!
 //! A mesh of 1.3 million triangles. The same work is done on one thread and on two in turns, as a machine's speed drifts; told
-//! are the best times and their ratio. `cargo bench --bench threads -- NAME` measures what has the name in its own;
-//! `--test` does everything once.
+//! are the best times and their ratio. The rows of the machine say what it gives at most: to arithmetic in registers, and to
+//! adding in place in memory of a size that its second cache holds, its third, or none.
+//! `cargo bench --bench threads -- NAME` measures what has the name in its own; `--test` does everything once.
 
 #![allow(clippy::print_stdout, reason = "the ratios are the result")]
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use vvmesh::adaptive::Uniform;
 use vvmesh::check::{conformity, mesh_conformity};
@@ -47,6 +49,23 @@ fn main() {
         println!("threads/{name}: {one:.1} ms on one, {two:.1} ms on two, {:.2} times as fast", one / two);
     };
 
+    measure("machine-arithmetic", &mut |pool| timed(pool, || (0..64_u64).into_par_iter().map(churn).sum::<u64>()));
+    for (name, bytes) in [("cache-2", 1 << 19), ("cache-3", 1 << 23), ("memory", 1 << 26)] {
+        // Each of two halves is of that size; so often that all is the same work.
+        let (half, times) = (bytes / size_of::<u64>(), (1 << 27) / bytes);
+        let mut numbers = vec![1_u64; 2 * half];
+        measure(&format!("machine-{name}"), &mut |pool| {
+            timed(pool, || {
+                numbers.par_chunks_mut(half).for_each(|half| {
+                    for k in 0..times {
+                        half.iter_mut().for_each(|number| *number = number.wrapping_add(k as u64));
+                        black_box(&mut *half);
+                    }
+                });
+            })
+        });
+    }
+
     let coarse = shapes::torus(640, 256, 2.0, 1.0);
     let schemes: [(&str, AnyScheme); 4] = [
         ("loop", Loop::default().into()),
@@ -80,6 +99,11 @@ fn main() {
     for (name, criterion) in [("sphere", &sphere as &(dyn Criterion + Sync)), ("dihedral", &folded)] {
         measure(&format!("select-{name}"), &mut |pool| timed(pool, || criterion.select(&mesh, &mut Scratch::new())));
     }
+}
+
+/// Arithmetic that needs no memory and can not be cut short.
+fn churn(seed: u64) -> u64 {
+    (0..1 << 17).fold(seed, |state, k| black_box(state).wrapping_mul(6_364_136_223_846_793_005).wrapping_add(k))
 }
 
 fn timed<T: Send>(pool: &ThreadPool, work: impl FnOnce() -> T + Send) -> Duration {

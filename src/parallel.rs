@@ -19,6 +19,11 @@ pub(crate) fn append<T: Default + Send + Sync>(
 ) {
     /// So many elements are blank at a time on one thread.
     const PART: usize = 1 << 8;
+    #[cfg(feature = "parallel")]
+    if many(range.len()) {
+        list.par_extend(range.into_par_iter().with_min_len(SHARE).map(make));
+        return;
+    }
     let lengths = range.clone().step_by(PART).map(|start| PART.min(range.end - start));
     append_parts(list, lengths, T::default, |_, part, elements| {
         for (element, k) in elements.iter_mut().zip(range.start + part * PART..) {
