@@ -205,7 +205,7 @@ fn a_limit_of_faces_is_exact() {
         let with_limit = |allowed: u64| {
             let (subdivider, selection) = (&subdivider, &selection);
             move |run: &mut Run| {
-                let mut control = Control { max_faces: Some(allowed), progress: None };
+                let mut control = Control { max_faces: Some(allowed), ..Control::default() };
                 let Run { mesh, history } = run;
                 subdivider.step(mesh, history, selection, &mut Scratch::new(), &mut control).map(|_| ())
             }
@@ -226,7 +226,7 @@ fn a_step_can_be_stopped_whenever_it_asks() {
             seen.push(progress);
             if seen.len() > call { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let mut control = Control { max_faces: None, progress: Some(&mut report) };
+        let mut control = Control { progress: Some(&mut report), ..Control::default() };
         let Run { mesh, history } = run;
         subdivider.step(mesh, history, &Selection::empty(), &mut Scratch::new(), &mut control).map(|_| ())
     };
@@ -259,7 +259,7 @@ fn a_step_of_a_whole_mesh_can_be_stopped_whenever_it_asks() {
                 if seen.len() > stop_at { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             };
             assert_unchanged(&mut run, &RefineError::Cancelled, |Run { mesh, history }| {
-                let mut control = Control { max_faces: None, progress: Some(&mut report) };
+                let mut control = Control { progress: Some(&mut report), ..Control::default() };
                 subdivider.step(mesh, history, &Selection::empty(), &mut Scratch::new(), &mut control).map(|_| ())
             });
             assert_eq!(seen.len(), stop_at + 1);

@@ -1,5 +1,7 @@
 //! The weights of one new position.
 
+use std::ops::{Add, Mul};
+
 use crate::id::VertexId;
 
 /// What takes a mask group by group: a [`Mask`] keeps it, the pipeline applies it to positions as it comes.
@@ -12,9 +14,11 @@ pub trait MaskSink {
 }
 
 /// A mask as data: groups of vertices, each with one weight.
-#[derive(Clone, PartialEq, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Mask {
     groups: Vec<(f64, Vec<VertexId>)>,
+    /// The lists of groups that were cleared, for their memory.
+    spare: Vec<Vec<VertexId>>,
 }
 
 impl Mask {
@@ -36,10 +40,104 @@ impl Mask {
         let times = |vertices: &[VertexId]| vertices.iter().filter(|&&w| w == v).count() as f64;
         self.groups.iter().map(|(weight, vertices)| weight * times(vertices)).sum()
     }
+
+    /// The mask applied to values of vertices, added in the order of the pipeline: positions come out with the bits that a
+    /// step gives them. Zero for an empty mask.
+    ///
+    /// ```
+    /// use vvmesh::{VertexId, scheme::{Mask, MaskSink}};
+    /// let mut mask = Mask::default();
+    /// mask.group(0.5, [VertexId::new(1), VertexId::new(3)]);
+    /// assert_eq!(mask.apply(|v| v.index() as f64), 2.0);
+    /// ```
+    pub fn apply<T>(&self, value: impl Fn(VertexId) -> T) -> T
+    where
+        T: Default + Add<Output = T>,
+        f64: Mul<T, Output = T>,
+    {
+        let mut sum = WeightedSum::new(value);
+        for (weight, vertices) in &self.groups {
+            sum.group(*weight, vertices.iter().copied());
+        }
+        sum.total().unwrap_or_default()
+    }
+
+    /// Takes all groups out; their memory is used again.
+    pub fn clear(&mut self) {
+        for (_, mut vertices) in self.groups.drain(..) {
+            vertices.clear();
+            self.spare.push(vertices);
+        }
+    }
+}
+
+impl PartialEq for Mask {
+    fn eq(&self, other: &Self) -> bool {
+        self.groups == other.groups
+    }
 }
 
 impl MaskSink for Mask {
     fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = VertexId>) {
-        self.groups.push((weight, vertices.into_iter().collect()));
+        let mut list = self.spare.pop().unwrap_or_default();
+        list.extend(vertices);
+        self.groups.push((weight, list));
+    }
+}
+
+/// A mask applied to values as it comes, group by group.
+pub(crate) struct WeightedSum<T, F> {
+    value: F,
+    /// `None` before the first group, as 0 + (-0) is not -0.
+    total: Option<T>,
+}
+
+impl<T, F> WeightedSum<T, F> {
+    #[inline]
+    pub(crate) fn new(value: F) -> Self {
+        Self { value, total: None }
+    }
+
+    /// The sum; `None` of an empty mask.
+    #[inline]
+    pub(crate) fn total(self) -> Option<T> {
+        self.total
+    }
+}
+
+impl<T, F> MaskSink for WeightedSum<T, F>
+where
+    F: Fn(VertexId) -> T,
+    T: Add<Output = T>,
+    f64: Mul<T, Output = T>,
+{
+    #[inline]
+    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = VertexId>) {
+        let group = vertices.into_iter().map(&self.value).reduce(|sum, value| sum + value);
+        if let Some(group) = group {
+            let group = weight * group;
+            self.total = Some(match self.total.take() {
+                Some(total) => total + group,
+                None => group,
+            });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cleared_mask_is_an_empty_one() {
+        let v = VertexId::new;
+        let mut mask = Mask::default();
+        mask.group(0.25, [v(0), v(1)]);
+        mask.clear();
+        assert_eq!((&mask, mask.apply(|_| 1.0)), (&Mask::default(), 0.0));
+        mask.group(-1.0, [v(2)]);
+        assert_eq!(mask.groups(), [(-1.0, vec![v(2)])]);
+        // Of -0 alone, which 0 + (-0) is not.
+        assert!(mask.apply(|_| 0.0).is_sign_negative());
     }
 }

@@ -24,6 +24,7 @@ pub(crate) use any::with_scheme;
 pub use butterfly::Butterfly;
 pub use loop_::{Loop, LoopWeights};
 pub(crate) use loop_::{cos_of_turn, crease_neighbors};
+pub(crate) use mask::WeightedSum;
 pub use mask::{Mask, MaskSink};
 pub use midpoint::Midpoint;
 pub use modified_butterfly::ModifiedButterfly;

@@ -8,10 +8,15 @@
 //! Everything that can fail comes before the first write, so a step is made whole or not at all. Cost and extra memory
 //! are those of the region and the rings next to it, not of the mesh.
 //!
+//! What belongs to the vertices beside their positions can go along: see [`Follower`].
+//!
 //! **Deliberately not here**: what is refined ([`crate::adaptive`]), weights ([`crate::scheme`]), rings
 //! ([`crate::split`]).
 
+mod follow;
 mod positions;
+
+pub use follow::{Assignment, Follower, StepMasks};
 
 use std::ops::ControlFlow;
 
@@ -45,6 +50,8 @@ pub struct Control<'a> {
     /// Called before the first new position and again and again: before every 1024 of a region, and of a whole mesh before
     /// those around every 65,536 old vertices. Answering [`ControlFlow::Break`] ends the step, and the mesh stays as it was.
     pub progress: Option<&'a mut dyn FnMut(Progress) -> ControlFlow<()>>,
+    /// What goes along with the mesh.
+    pub follower: Option<&'a mut dyn Follower>,
 }
 
 impl Control<'_> {
@@ -196,6 +203,9 @@ impl Subdivider {
         let new_positions = with_scheme!(&self.scheme, scheme => positions::of_whole(scheme, mesh, &whole, control)?);
 
         // From here on nothing can fail.
+        with_scheme!(&self.scheme, scheme => {
+            control.show(old, old + new, |masks| positions::show_whole(scheme, mesh, &whole, masks));
+        });
         let mut followed = scratch.take_list();
         followed.extend_from_slice(selection.vertices());
         if selection.len() == old {
@@ -278,6 +288,10 @@ impl Subdivider {
         });
 
         // From here on nothing can fail.
+        with_scheme!(&self.scheme, scheme => {
+            let (before, after) = (plan.first, plan.first + plan.edges.len());
+            control.show(before, after, |masks| positions::show_region(scheme, mesh, &moving, plan, masks));
+        });
         if let Some(exactness) = history.exactness_mut() {
             let (reach, moves_even) = (self.scheme.reach(), self.scheme.moves_even());
             certify::before(handed, exactness, mesh, &moving, plan, reach, moves_even);

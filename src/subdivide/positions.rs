@@ -1,19 +1,23 @@
-//! Masks applied to positions.
+//! Masks applied to positions, and shown to who follows.
 
 use glam::DVec3;
 
 use super::Control;
+use super::follow::MaskWriter;
 use crate::error::RefineError;
 use crate::id::VertexId;
 use crate::mesh::{Mesh, Neighborhood};
 use crate::parallel;
-use crate::scheme::{MaskSink, Scheme};
+use crate::scheme::{Scheme, WeightedSum};
 use crate::split::quadrisect::Plan;
 use crate::split::whole::Whole;
 use crate::step::Parent;
 
 /// After how many new positions of a region they are stored, and the caller is asked whether to go on.
 const BUFFERED: usize = 1 << 10;
+
+/// What an empty mask makes, which no scheme's is.
+const NO_POSITION: DVec3 = DVec3::NAN;
 
 /// Positions on their way into a mesh.
 #[derive(Default)]
@@ -106,54 +110,56 @@ pub(super) fn of_whole<S: Scheme + Sync>(
     }
 }
 
+/// Writes the masks by which [`append_odd`] makes positions.
+pub(super) fn show_region<S: Scheme>(
+    scheme: &S,
+    mesh: &Mesh,
+    moving: &[VertexId],
+    plan: &Plan,
+    masks: &mut MaskWriter<'_>,
+) {
+    let around = mesh.neighborhood().with_hubs(plan.hubs());
+    for &v in if scheme.moves_even() { moving } else { &[] } {
+        masks.assign(v, &[], |mask| scheme.even(around, v, mask));
+    }
+    for (k, parent) in (plan.first..).zip(plan.parents(around)) {
+        masks.assign(VertexId::new(k), &[parent.p, parent.q], |mask| scheme.odd(around, &parent, mask));
+    }
+}
+
+/// Writes the masks by which [`of_whole`] makes positions.
+pub(super) fn show_whole<S: Scheme>(scheme: &S, mesh: &Mesh, whole: &Whole<'_>, masks: &mut MaskWriter<'_>) {
+    let around = mesh.neighborhood().with_hubs(whole.hubs());
+    for v in mesh.vertices().filter(|_| scheme.moves_even()) {
+        masks.assign(v, &[], |mask| scheme.even(around, v, mask));
+    }
+    let mut odd = mesh.vertex_count()..;
+    for block in whole.blocks() {
+        let mut parents = Vec::new();
+        whole.append_odd(block, &mut parents, Some);
+        for (parent, k) in parents.into_iter().flatten().zip(&mut odd) {
+            masks.assign(VertexId::new(k), &[parent.p, parent.q], |mask| scheme.odd(around, &parent, mask));
+        }
+    }
+}
+
 /// The new position of an old vertex.
 #[inline]
 fn even<S: Scheme>(scheme: &S, around: Neighborhood<'_>, positions: &[DVec3], v: VertexId) -> DVec3 {
-    let mut sum = WeightedSum::new(positions);
+    let mut sum = WeightedSum::new(|w: VertexId| positions[w.index()]);
     scheme.even(around, v, &mut sum);
-    sum.total()
+    sum.total().unwrap_or(NO_POSITION)
 }
 
 /// The position of a new vertex.
 #[inline]
 fn odd<S: Scheme>(scheme: &S, around: Neighborhood<'_>, positions: &[DVec3], parent: &Parent) -> DVec3 {
-    let mut sum = WeightedSum::new(positions);
+    let mut sum = WeightedSum::new(|w: VertexId| positions[w.index()]);
     scheme.odd(around, parent, &mut sum);
-    sum.total()
+    sum.total().unwrap_or(NO_POSITION)
 }
 
 /// The position, or the error for which the vertex to blame is named.
 fn finite(position: DVec3, v: VertexId) -> Result<DVec3, RefineError> {
     if position.is_finite() { Ok(position) } else { Err(RefineError::NonFinite(v)) }
-}
-
-/// A mask applied to positions as it comes, group by group.
-struct WeightedSum<'a> {
-    positions: &'a [DVec3],
-    /// `None` before the first group, as 0 + (-0) is not -0.
-    total: Option<DVec3>,
-}
-
-impl<'a> WeightedSum<'a> {
-    #[inline]
-    fn new(positions: &'a [DVec3]) -> Self {
-        Self { positions, total: None }
-    }
-
-    /// The sum; not a number if the mask is empty, which no scheme's is.
-    #[inline]
-    fn total(self) -> DVec3 {
-        self.total.unwrap_or(DVec3::NAN)
-    }
-}
-
-impl MaskSink for WeightedSum<'_> {
-    #[inline]
-    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = VertexId>) {
-        let group = vertices.into_iter().map(|v| self.positions[v.index()]).reduce(|sum, position| sum + position);
-        if let Some(group) = group {
-            let group = weight * group;
-            self.total = Some(self.total.map_or(group, |total| total + group));
-        }
-    }
 }

@@ -216,7 +216,8 @@ fn refine(
             _ => Vec::new(),
         };
         let mut show = |progress| bar.show(level, progress);
-        let step = run.step(&mut Control { max_faces: Some(limit.faces), progress: Some(&mut show) });
+        let step =
+            run.step(&mut Control { max_faces: Some(limit.faces), progress: Some(&mut show), ..Control::default() });
         let step = step.map_err(|error| {
             bar.hide();
             Failure(match error {
