@@ -3,39 +3,41 @@
 use std::error::Error;
 use std::io::{self, Write};
 
-use vvmesh::scheme::{AnyScheme, Butterfly, Loop, Mask, Midpoint, ModifiedButterfly, Scheme};
+use vvmesh::scheme::{Butterfly, Loop, Mask, Midpoint, ModifiedButterfly, Scheme, Sqrt3};
 use vvmesh::step::Parent;
-use vvmesh::{VertexId, shapes};
+use vvmesh::{Mesh, VertexId, shapes};
 
-/// Prints the mask of the new vertex on one edge, for each scheme.
+/// Prints the mask of the new vertex on one edge, or in the triangle beside it, for each scheme.
 pub fn run(out: &mut dyn Write) -> Result<(), Box<dyn Error>> {
     let mesh = shapes::torus(8, 8, 2.0, 1.0);
     let p = VertexId::new(0);
     let q = mesh.ring(p).neighbors()[0];
-    let parent = Parent { p, q, left: mesh.rotation().left_of(p, q), right: mesh.rotation().right_of(p, q) };
+    let left = mesh.rotation().left_of(p, q).ok_or("the torus has no boundary")?;
+    let parent = Parent { p, q, left: Some(left), right: mesh.rotation().right_of(p, q) };
 
-    let schemes: [(&str, AnyScheme); 4] = [
-        ("Loop", Loop::default().into()),
-        ("Butterfly", Butterfly.into()),
-        ("modified Butterfly", ModifiedButterfly.into()),
-        ("midpoint", Midpoint.into()),
-    ];
-    for (name, scheme) in schemes {
-        let mut mask = Mask::default();
-        let around = mesh.neighborhood();
-        match scheme {
-            AnyScheme::Loop(scheme) => scheme.odd(around, &parent, &mut mask),
-            AnyScheme::Butterfly(scheme) => scheme.odd(around, &parent, &mut mask),
-            AnyScheme::ModifiedButterfly(scheme) => scheme.odd(around, &parent, &mut mask),
-            AnyScheme::Midpoint(scheme) => scheme.odd(around, &parent, &mut mask),
-        }
+    let mut center = Mask::default();
+    Sqrt3::default().center([p, q, left], &mut center);
+    for (name, mask) in [
+        ("Loop", odd(&Loop::default(), &mesh, &parent)),
+        ("Butterfly", odd(&Butterfly, &mesh, &parent)),
+        ("modified Butterfly", odd(&ModifiedButterfly, &mesh, &parent)),
+        ("midpoint", odd(&Midpoint, &mesh, &parent)),
+        ("square root of 3", center),
+    ] {
         writeln!(out, "{name}, between {p} and {q}:")?;
         for (weight, vertices) in mask.groups() {
-            writeln!(out, "  {weight:>7} for {vertices:?}")?;
+            writeln!(out, "  {weight:>7.5} for {vertices:?}")?;
         }
         writeln!(out, "  {:>7} in all", mask.sum())?;
     }
     Ok(())
+}
+
+/// The mask of the new vertex on an edge.
+fn odd(scheme: &impl Scheme, mesh: &Mesh, parent: &Parent) -> Mask {
+    let mut mask = Mask::default();
+    scheme.odd(mesh.neighborhood(), parent, &mut mask);
+    mask
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

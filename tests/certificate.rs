@@ -122,7 +122,7 @@ fn sound<S: Surface, const MIXED: bool>(surface: S, seed: u32) {
         let (name, scheme) = schemes()[chosen].clone();
         let (subdivider, promises) = subdivider(scheme.clone(), &mut random);
         selection = moving_selection(&run.mesh, &selection, &mut random);
-        let broken = broken_premise(&run, &selection, scheme.reach());
+        let broken = broken_premise(&run, &selection, scheme.reach().expect("it splits in four"));
         let Step { selection: followed, unproven, certified, t_vertices: t, o_vertices: o, .. } =
             run.step(&subdivider, &selection);
         uniform.step(&Subdivider::new(scheme, Uniform), &Selection::empty());

@@ -42,8 +42,8 @@ fn assert_follows(selection: &Selection, run: &Run, step: &Step) {
         .vertices()
         .filter(|&v| {
             let new = v.index() >= first;
-            let ends = run.history.parents(v).filter(|_| new);
-            ends.map_or(selection.contains(v), |ends| ends.iter().all(|&end| selection.contains(end)))
+            let parents = run.history.parents(v).filter(|_| new);
+            parents.map_or(selection.contains(v), |parents| parents.vertices().all(|end| selection.contains(end)))
         })
         .collect();
     assert_eq!(step.selection, expected);

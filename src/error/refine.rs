@@ -39,6 +39,13 @@ pub enum RefineError {
     },
     /// An edge would be split for the 256th time.
     TooDeep,
+    /// The step cuts triangles in another way than the steps before it, which its history remembers.
+    OtherSplit {
+        /// How they did.
+        made: &'static str,
+        /// How this one does.
+        asked: &'static str,
+    },
     /// A selection names a vertex that does not exist.
     NoVertex(crate::id::VertexId),
     /// A new position is not a finite number.
@@ -58,6 +65,9 @@ impl fmt::Display for RefineError {
                 write!(f, "the step would make {needed} vertices, 32-bit ids name at most {}", u32::MAX)
             }
             Self::TooDeep => write!(f, "an edge would be split for the 256th time; take fewer levels"),
+            Self::OtherSplit { made, asked } => {
+                write!(f, "{asked} cannot follow {made} in one run; begin a new history with the mesh as it is")
+            }
             Self::NoVertex(v) => write!(f, "the selection names {v}, which does not exist"),
             Self::NonFinite(v) => write!(f, "the new position of {v} is not finite; scale the mesh down"),
             Self::Cancelled => write!(f, "cancelled"),

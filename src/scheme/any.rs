@@ -1,6 +1,7 @@
 //! Any scheme, chosen while the program runs.
 
-use super::{Butterfly, Loop, Midpoint, ModifiedButterfly, Reach, Scheme};
+use super::{Butterfly, Loop, Midpoint, ModifiedButterfly, Reach, Scheme, Sqrt3};
+use crate::step::SplitKind;
 
 /// One of the schemes. The pipeline tells them apart once a step; inside a step everything is static.
 #[derive(Clone, Debug)]
@@ -14,38 +15,52 @@ pub enum AnyScheme {
     ModifiedButterfly(ModifiedButterfly),
     /// [`Midpoint`].
     Midpoint(Midpoint),
+    /// [`Sqrt3`].
+    Sqrt3(Sqrt3),
 }
 
-/// Does the same for whichever scheme it is.
+/// Does the same for whichever [`Scheme`] of the split in four it is, and something else for all others.
 macro_rules! with_scheme {
-    ($any:expr, $scheme:ident => $do:expr) => {
+    ($any:expr, $scheme:ident => $do:expr, else $otherwise:expr) => {
         match $any {
             $crate::scheme::AnyScheme::Loop($scheme) => $do,
             $crate::scheme::AnyScheme::Butterfly($scheme) => $do,
             $crate::scheme::AnyScheme::ModifiedButterfly($scheme) => $do,
             $crate::scheme::AnyScheme::Midpoint($scheme) => $do,
+            $crate::scheme::AnyScheme::Sqrt3(_) => $otherwise,
         }
     };
 }
 pub(crate) use with_scheme;
 
 impl AnyScheme {
-    /// What the position of an odd vertex depends on.
+    /// How its steps cut triangles.
     #[must_use]
-    pub fn reach(&self) -> Reach {
-        with_scheme!(self, scheme => scheme.reach())
+    pub fn split_kind(&self) -> SplitKind {
+        match self {
+            Self::Loop(_) | Self::Butterfly(_) | Self::ModifiedButterfly(_) | Self::Midpoint(_) => {
+                SplitKind::Quadrisect
+            }
+            Self::Sqrt3(_) => SplitKind::Trisect,
+        }
+    }
+
+    /// What the position of an odd vertex depends on; `None` unless triangles are split in four.
+    #[must_use]
+    pub fn reach(&self) -> Option<Reach> {
+        with_scheme!(self, scheme => Some(scheme.reach()), else None)
     }
 
     /// Whether sharp edges and corners change its masks.
     #[must_use]
     pub fn reads_tags(&self) -> bool {
-        with_scheme!(self, scheme => scheme.reads_tags())
+        with_scheme!(self, scheme => scheme.reads_tags(), else false)
     }
 
     /// Whether even vertices move.
     #[must_use]
     pub fn moves_even(&self) -> bool {
-        with_scheme!(self, scheme => scheme.moves_even())
+        with_scheme!(self, scheme => scheme.moves_even(), else true)
     }
 }
 
@@ -59,4 +74,4 @@ macro_rules! from_scheme {
     };
 }
 
-from_scheme!(Loop, Butterfly, ModifiedButterfly, Midpoint);
+from_scheme!(Loop, Butterfly, ModifiedButterfly, Midpoint, Sqrt3);

@@ -4,7 +4,9 @@
 //! weight. It sees rings and tags through a [`Neighborhood`], no positions, and edits nothing.
 //!
 //! [`Loop`] approximates: even vertices move and the limit is smooth. [`Butterfly`] and [`ModifiedButterfly`] interpolate:
-//! even vertices stay. [`Midpoint`] changes the triangles and not the surface.
+//! even vertices stay. [`Midpoint`] changes the triangles and not the surface. These split a triangle in four; [`Sqrt3`]
+//! splits it otherwise, so its new vertices have other parents and it has mask methods of its own. [`AnyScheme`] is any of
+//! them.
 //!
 //! Every mask adds to 1 (up to the rounding of its weights) and reads the stars of the vertex, or of both ends of the edge,
 //! and nothing else: the exactness of incremental refinement stands on that.
@@ -18,6 +20,7 @@ mod loop_;
 mod mask;
 mod midpoint;
 mod modified_butterfly;
+mod sqrt3;
 
 pub use any::AnyScheme;
 pub(crate) use any::with_scheme;
@@ -28,6 +31,7 @@ pub(crate) use mask::WeightedSum;
 pub use mask::{Mask, MaskSink};
 pub use midpoint::Midpoint;
 pub use modified_butterfly::ModifiedButterfly;
+pub use sqrt3::Sqrt3;
 
 use crate::id::VertexId;
 use crate::mesh::Neighborhood;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::Exactness;
+use super::{Exactness, Lineage, SplitKind};
 use crate::error::RefineError;
 use crate::id::{Edge, Triangle, VertexId};
 use crate::mesh::Mesh;
@@ -11,33 +11,83 @@ use crate::mesh::Mesh;
 /// What a [`History`] keeps beyond the bare minimum.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Keep {
-    /// Birth levels and parents of vertices, and the edges that close cracks: 9 bytes a new vertex.
+    /// Birth levels and lineages of vertices, and the edges that close cracks: 9 bytes a new vertex, 17 of a trisection.
     pub names: bool,
     /// What is proven equal to uniform refinement, and what spoils the rest: 20 bytes a vertex from the first step on that does
-    /// not refine the whole mesh.
+    /// not refine the whole mesh. Only of the split in four; a step of another kind drops it.
     pub certificate: bool,
 }
 
 /// What a run of refinements remembers beside the mesh; held by the caller, who makes one for a mesh and hands both to
 /// every step. Two calls of one step are then the same as one call of two.
 ///
-/// Without anything kept it is a few bytes a step.
+/// Without anything kept it is a few bytes a step, and one a new vertex if the split is not in four: a trisection or a
+/// bisection cannot do without birth levels.
 #[derive(Clone, Debug)]
 pub struct History {
     /// How many vertices there were before each step; the first entry counts the input vertices.
     starts: Vec<usize>,
     max_valence: usize,
+    /// What all steps were, from the first on.
+    kind: Option<SplitKind>,
+    /// For every vertex that is no input vertex, in order; `None` if neither names nor the kind of split ask for it.
+    levels: Option<Vec<u8>>,
     names: Option<Names>,
     exactness: Option<Exactness>,
 }
 
-/// For every vertex that is no input vertex, in order.
 #[derive(Clone, Debug, Default)]
 struct Names {
-    levels: Vec<u8>,
-    parents: Vec<[VertexId; 2]>,
+    lineages: Lineages,
     /// Edges drawn to close cracks. One that was split since is no edge any more and never becomes one again.
     closing: Vec<Edge>,
+}
+
+/// For every vertex that is no input vertex, in order; of vertices that lie on edges only their ends.
+#[derive(Clone, Debug)]
+enum Lineages {
+    Edges(Vec<[VertexId; 2]>),
+    Any(Vec<Lineage>),
+}
+
+impl Default for Lineages {
+    fn default() -> Self {
+        Self::Edges(Vec::new())
+    }
+}
+
+impl Lineages {
+    fn get(&self, k: usize) -> Lineage {
+        match self {
+            Self::Edges(ends) => Lineage::Edge(ends[k]),
+            Self::Any(lineages) => lineages[k],
+        }
+    }
+
+    fn len(&self) -> usize {
+        match self {
+            Self::Edges(ends) => ends.len(),
+            Self::Any(lineages) => lineages.len(),
+        }
+    }
+
+    fn push(&mut self, lineage: Lineage) {
+        match (&mut *self, lineage) {
+            (Self::Edges(list), Lineage::Edge(ends)) => list.push(ends),
+            (Self::Any(list), lineage) => list.push(lineage),
+            (Self::Edges(list), lineage) => {
+                let edges = list.iter().map(|&ends| Lineage::Edge(ends));
+                *self = Self::Any(edges.chain([lineage]).collect());
+            }
+        }
+    }
+
+    fn memory_bytes(&self) -> usize {
+        match self {
+            Self::Edges(list) => list.capacity() * size_of::<[VertexId; 2]>(),
+            Self::Any(list) => list.capacity() * size_of::<Lineage>(),
+        }
+    }
 }
 
 impl History {
@@ -47,6 +97,8 @@ impl History {
         Self {
             starts: vec![mesh.vertex_count()],
             max_valence: mesh.vertices().map(|v| mesh.ring(v).valence()).max().unwrap_or(0),
+            kind: None,
+            levels: keep.names.then(Vec::new),
             names: keep.names.then(Names::default),
             exactness: keep.certificate.then(Exactness::new),
         }
@@ -62,6 +114,20 @@ impl History {
     #[must_use]
     pub fn input_count(&self) -> usize {
         self.starts[0]
+    }
+
+    /// How all steps cut triangles; `None` before the first.
+    #[must_use]
+    pub fn split_kind(&self) -> Option<SplitKind> {
+        self.kind
+    }
+
+    /// Whether a step of this kind may follow.
+    pub(crate) fn allow(&self, asked: SplitKind) -> Result<(), RefineError> {
+        match self.kind {
+            Some(made) if made != asked => Err(RefineError::OtherSplit { made: made.name(), asked: asked.name() }),
+            _ => Ok(()),
+        }
     }
 
     /// The greatest valence of the mesh. O(1).
@@ -88,26 +154,25 @@ impl History {
         self.names.is_some() || self.exactness.as_ref().is_some_and(|exactness| !exactness.is_whole())
     }
 
-    /// The level at which a vertex was made: 0 for an input vertex, else one more than the greater level of its parents.
-    /// `None` if names are not kept.
+    /// The level at which a vertex was made: 0 for an input vertex, else one more than the greatest level of what it was made
+    /// of. `None` if levels are not kept: that is, if neither names are nor a step was made that needs them.
     #[must_use]
     pub fn level(&self, v: VertexId) -> Option<u8> {
-        let names = self.names.as_ref()?;
+        let levels = self.levels.as_ref()?;
         Some(match v.index().checked_sub(self.starts[0]) {
             None => 0,
-            Some(k) => names.levels[k],
+            Some(k) => levels[k],
         })
     }
 
-    /// The ends of the edge that a vertex was made on, the older first (as in [`Parent`](super::Parent)). `None` for an input vertex,
-    /// and if names are not kept.
+    /// What a vertex was made of. `None` for an input vertex, and if names are not kept.
     #[must_use]
-    pub fn parents(&self, v: VertexId) -> Option<[VertexId; 2]> {
+    pub fn parents(&self, v: VertexId) -> Option<Lineage> {
         let k = v.index().checked_sub(self.starts[0])?;
-        self.names.as_ref().map(|names| names.parents[k])
+        self.names.as_ref().map(|names| names.lineages.get(k))
     }
 
-    /// The level of a triangle, and whether it closes a crack; `None` if names are not kept.
+    /// The level of a triangle, and whether it closes a crack; `None` if levels are not kept.
     ///
     /// A regular triangle has the greatest level of its corners. One that closes a crack keeps the level of the triangle
     /// it is a part of. `closing` is [`History::closing_edges`].
@@ -134,24 +199,21 @@ impl History {
     }
 
     /// For every vertex of this run the vertex of another run from the same input that has the same name: the same input
-    /// vertex, or made between vertices of the same names. `None` if names are not kept in both.
+    /// vertex, or made in the same way of vertices of the same names. `None` if names are not kept in both.
     ///
     /// Ids differ between runs that refine different regions; names do not. O(vertices of both).
     #[must_use]
     pub fn same_names(&self, other: &Self) -> Option<Vec<Option<VertexId>>> {
         let (names, others) = (self.names.as_ref()?, other.names.as_ref()?);
-        let made: HashMap<Edge, VertexId> = others
-            .parents
-            .iter()
-            .enumerate()
-            .map(|(k, &[p, q])| (Edge::new(p, q), VertexId::new(other.starts[0] + k)))
+        let made: HashMap<Lineage, VertexId> = (0..others.lineages.len())
+            .map(|k| (others.lineages.get(k).unordered(), VertexId::new(other.starts[0] + k)))
             .collect();
         let inputs = self.starts[0];
         let mut same: Vec<Option<VertexId>> =
             (0..inputs).map(|k| (k < other.starts[0]).then(|| VertexId::new(k))).collect();
-        for &[p, q] in &names.parents {
-            let edge = same[p.index()].zip(same[q.index()]).map(|(p, q)| Edge::new(p, q));
-            same.push(edge.and_then(|edge| made.get(&edge).copied()));
+        for k in 0..names.lineages.len() {
+            let lineage = names.lineages.get(k).renamed(|v| same[v.index()]);
+            same.push(lineage.and_then(|lineage| made.get(&lineage.unordered()).copied()));
         }
         Some(same)
     }
@@ -170,21 +232,31 @@ impl History {
         level(p).max(level(q)).checked_add(1).ok_or(RefineError::TooDeep)
     }
 
-    /// Closes a step: what it made, the edges it drew to close cracks, and the greatest valence it touched.
+    /// Closes a step: its kind, what it made, the edges it drew to close cracks, and the greatest valence it touched.
+    ///
+    /// The levels and lineages of a split in four come only if names are kept.
     pub(crate) fn record(
         &mut self,
+        kind: SplitKind,
         vertex_count: usize,
-        made: impl Iterator<Item = (u8, [VertexId; 2])>,
+        made: impl Iterator<Item = (u8, Lineage)>,
         closing: &[Edge],
         max_valence: usize,
     ) {
+        self.kind = Some(kind);
         self.starts.push(vertex_count);
         self.max_valence = self.max_valence.max(max_valence);
-        if let Some(names) = &mut self.names {
-            for (level, parents) in made {
-                names.levels.push(level);
-                names.parents.push(parents);
+        if kind != SplitKind::Quadrisect {
+            self.exactness = None;
+            self.levels.get_or_insert_default();
+        }
+        for (level, lineage) in made {
+            self.levels.get_or_insert_default().push(level);
+            if let Some(names) = &mut self.names {
+                names.lineages.push(lineage);
             }
+        }
+        if let Some(names) = &mut self.names {
             names.closing.extend_from_slice(closing);
         }
     }
@@ -192,11 +264,12 @@ impl History {
     /// Bytes held.
     #[must_use]
     pub fn memory_bytes(&self) -> usize {
-        let names = self.names.as_ref().map_or(0, |names| {
-            names.levels.capacity()
-                + names.parents.capacity() * size_of::<[VertexId; 2]>()
-                + names.closing.capacity() * size_of::<Edge>()
-        });
-        names + self.exactness.as_ref().map_or(0, Exactness::memory_bytes)
+        let names = self
+            .names
+            .as_ref()
+            .map_or(0, |names| names.lineages.memory_bytes() + names.closing.capacity() * size_of::<Edge>());
+        names
+            + self.levels.as_ref().map_or(0, Vec::capacity)
+            + self.exactness.as_ref().map_or(0, Exactness::memory_bytes)
     }
 }

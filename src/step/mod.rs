@@ -1,18 +1,23 @@
 //! The words of one refinement step.
 //!
-//! A [`Region`] says what is split; every new vertex has a [`Parent`]; a [`History`] remembers, from step to step, what
-//! the mesh itself does not: who is older, where vertices come from, and what is proven of them.
+//! A [`Region`] says what is split, a [`SplitKind`] how; every new vertex on an edge has a [`Parent`]; a [`History`]
+//! remembers, from step to step, what the mesh itself does not: who is older, where vertices come from (their
+//! [`Lineage`]), and what is proven of them.
 //!
 //! **Deliberately not here**: what is done with them; see [`crate::subdivide`].
 
 mod exactness;
 mod history;
+mod kind;
+mod lineage;
 mod parent;
 mod region;
 
 pub use exactness::{Cause, Spoiler};
 pub(crate) use exactness::{Exactness, Proof};
 pub use history::{History, Keep};
+pub use kind::SplitKind;
+pub use lineage::Lineage;
 pub use parent::Parent;
 pub use region::Region;
 pub(crate) use region::RegionKind;

@@ -15,6 +15,7 @@
 
 mod follow;
 mod positions;
+mod trisect;
 
 pub use follow::{Assignment, Follower, StepMasks};
 
@@ -31,7 +32,10 @@ use crate::select::Selection;
 use crate::split::quadrisect::{self, Closing, Plan};
 use crate::split::whole::Whole;
 use crate::split::{Diagonal, Quad};
-use crate::step::{History, Region};
+use crate::step::{History, Lineage, Region, SplitKind};
+
+/// What holds of a scheme on the way of the split in four.
+const OTHERS: &str = "schemes of other splits have ways of their own";
 
 /// How far a step is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -150,7 +154,7 @@ impl Subdivider {
     /// Refines the region that the method chooses for a selection.
     ///
     /// # Errors
-    /// A selected vertex that does not exist, more faces than [`Control::max_faces`], more vertices than 32-bit ids name,
+    /// A selected vertex that does not exist, a history of another [`SplitKind`], more faces than [`Control::max_faces`], more vertices than 32-bit ids name,
     /// a 256th level, a position that is not finite, or the caller's wish to stop. The mesh and the history are then as
     /// before.
     ///
@@ -171,20 +175,37 @@ impl Subdivider {
         if let Some(&last) = selection.vertices().last().filter(|last| last.index() >= mesh.vertex_count()) {
             return Err(RefineError::NoVertex(last));
         }
+        history.allow(self.scheme.split_kind())?;
         let region = self.method.region(mesh, selection, scratch);
-        let unproven = match Certificate::new(mesh, history) {
-            Some(certificate) if self.method.promises_exactness() => {
-                certificate.unproven(selection, self.scheme.reach())
-            }
-            _ => Vec::new(),
+        let step = match &self.scheme {
+            AnyScheme::Sqrt3(scheme) => trisect::step(scheme, mesh, history, selection, &region, scratch, control),
+            _ => self.quadrisect(mesh, history, selection, &region, scratch, control),
+        };
+        scratch.give_list(region.into_list());
+        step
+    }
+
+    /// Refines a region, or the whole mesh.
+    fn quadrisect(
+        &self,
+        mesh: &mut Mesh,
+        history: &mut History,
+        selection: &Selection,
+        region: &Region,
+        scratch: &mut Scratch,
+        control: &mut Control<'_>,
+    ) -> Result<Step, RefineError> {
+        let promised = self.scheme.reach().filter(|_| self.method.promises_exactness());
+        let unproven = match Certificate::new(mesh, history).zip(promised) {
+            Some((certificate, reach)) => certificate.unproven(selection, reach),
+            None => Vec::new(),
         };
         // The short way numbers and places everything alike, but does not say where the new vertices come from.
         let step = if region.is_everything() && !history.tells_vertices_apart() {
             self.refine_whole(mesh, history, selection, scratch, control)?
         } else {
-            self.refine(mesh, history, selection, &region, scratch, control)?
+            self.refine(mesh, history, selection, region, scratch, control)?
         };
-        scratch.give_list(region.into_list());
         Ok(Step { unproven, ..step })
     }
 
@@ -200,12 +221,14 @@ impl Subdivider {
         let (old, new) = (mesh.vertex_count(), mesh.edge_count());
         control.allow(old + new, mesh.face_count(), 3 * mesh.face_count())?;
         let whole = Whole::new(mesh.rotation(), history);
-        let new_positions = with_scheme!(&self.scheme, scheme => positions::of_whole(scheme, mesh, &whole, control)?);
+        let new_positions = with_scheme!(&self.scheme,
+            scheme => positions::of_whole(scheme, mesh, &whole, control)?,
+            else unreachable!("{OTHERS}"));
 
         // From here on nothing can fail.
         with_scheme!(&self.scheme, scheme => {
             control.show(old, old + new, |masks| positions::show_whole(scheme, mesh, &whole, masks));
-        });
+        }, else unreachable!("{OTHERS}"));
         let mut followed = scratch.take_list();
         followed.extend_from_slice(selection.vertices());
         if selection.len() == old {
@@ -230,7 +253,7 @@ impl Subdivider {
             _ => 6,
         };
         rotation.replace_by_split(rings);
-        history.record(old + new, std::iter::empty(), &[], max_valence);
+        history.record(SplitKind::Quadrisect, old + new, std::iter::empty(), &[], max_valence);
         let certified = history.exactness_mut().map(|exactness| {
             exactness.advance(old + new, self.scheme.moves_even());
             old + new
@@ -285,15 +308,16 @@ impl Subdivider {
         child_levels(levels, history, plan)?;
         with_scheme!(&self.scheme, scheme => {
             positions::append_odd(scheme, mesh, &moving, plan, positions, control)?;
-        });
+        }, else unreachable!("{OTHERS}"));
 
         // From here on nothing can fail.
         with_scheme!(&self.scheme, scheme => {
             let (before, after) = (plan.first, plan.first + plan.edges.len());
             control.show(before, after, |masks| positions::show_region(scheme, mesh, &moving, plan, masks));
-        });
+        }, else unreachable!("{OTHERS}"));
         if let Some(exactness) = history.exactness_mut() {
-            let (reach, moves_even) = (self.scheme.reach(), self.scheme.moves_even());
+            let reach = self.scheme.reach().expect(OTHERS);
+            let moves_even = self.scheme.moves_even();
             certify::before(handed, exactness, mesh, &moving, plan, reach, moves_even);
         }
         for (&v, &position) in moving.iter().zip(&positions.moved) {
@@ -307,8 +331,8 @@ impl Subdivider {
             let new = plan.odd().map(|(x, _)| x);
             moving.iter().copied().chain(new).filter(|&v| certify::is_certified(exactness, mesh, v)).count()
         });
-        let made = levels.iter().copied().zip(plan.edges.iter().map(quadrisect::SplitEdge::ends));
-        history.record(mesh.vertex_count(), made, &closing.edges, closing.max_valence);
+        let made = levels.iter().copied().zip(plan.edges.iter().map(|edge| Lineage::Edge(edge.ends())));
+        history.record(SplitKind::Quadrisect, mesh.vertex_count(), made, &closing.edges, closing.max_valence);
         Ok(Step {
             selection: follow(selection, plan, mesh.vertex_count(), scratch),
             selected: selection.len(),

@@ -6,7 +6,7 @@ use vvmesh::glam::DVec3;
 use vvmesh::scheme::{AnyScheme, Butterfly, Loop, LoopWeights, Midpoint, ModifiedButterfly};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
-use vvmesh::step::{History, Keep};
+use vvmesh::step::{History, Keep, Lineage};
 use vvmesh::subdivide::{Control, Step, Subdivider};
 use vvmesh::{Edge, Mesh, VertexId};
 
@@ -77,12 +77,16 @@ pub fn ring(mesh: &Mesh, v: VertexId) -> (Vec<VertexId>, bool) {
 
 /// For every vertex of one run the one of another with the same name, given the same for the input.
 pub fn renamed(run: &Run, other: &Run, input: &[VertexId]) -> Vec<VertexId> {
-    let made = |run: &Run, v| run.history.parents(v).map(|[p, q]| Edge::new(p, q));
+    let ends = |run: &Run, v| match run.history.parents(v)? {
+        Lineage::Edge(ends) => Some(ends),
+        other => panic!("{other} is no edge"),
+    };
+    let made = |run: &Run, v| ends(run, v).map(|[p, q]| Edge::new(p, q));
     let by_parents: BTreeMap<Edge, VertexId> =
         other.mesh.vertices().filter_map(|v| made(other, v).map(|edge| (edge, v))).collect();
     let mut same = input.to_vec();
     for v in run.mesh.vertices().skip(input.len()) {
-        let [p, q] = run.history.parents(v).expect("it is no input vertex");
+        let [p, q] = ends(run, v).expect("it is no input vertex");
         same.push(by_parents[&Edge::new(same[p.index()], same[q.index()])]);
     }
     same

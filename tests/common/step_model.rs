@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::run::{Run, ring};
 use vvmesh::split::Diagonal;
+use vvmesh::step::Lineage;
 use vvmesh::{Edge, Mesh, Triangle, VertexId};
 
 /// A set of split edges on a mesh, with the ids that rule gives the new vertices.
@@ -110,7 +111,7 @@ impl StepModel {
         }
         for (edge, &x) in &self.odd {
             let [p, q] = self.ordered(*edge, &born);
-            assert_eq!(run.history.parents(x), Some([p, q]), "the parents of {x}");
+            assert_eq!(run.history.parents(x), Some(Lineage::Edge([p, q])), "the parents of {x}");
             // From p; at a boundary from the gap, which is before p unless it lies right of p -> q.
             let start = if before.rotation().right_of(p, q).is_none() { q } else { p };
             assert_eq!(after.ring(x).iter().next(), Some(start), "the start of the ring of {x}");

@@ -188,6 +188,7 @@ pub(crate) enum SchemeName {
     Butterfly,
     ModifiedButterfly,
     Midpoint,
+    Sqrt3,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]

@@ -17,7 +17,7 @@ pub(crate) struct Row {
     pub(crate) t_vertices: usize,
     pub(crate) o_vertices: usize,
     pub(crate) max_valence: usize,
-    /// `None` if no certificate was kept, which a written report never has.
+    /// `None` if no certificate was kept: in a written report, where triangles are not split in four.
     pub(crate) certified: Option<usize>,
     pub(crate) seconds: f64,
 }

@@ -10,7 +10,7 @@ use vvmesh::error::RefineError;
 use vvmesh::io::{save, write_atomically};
 use vvmesh::limit::LoopLimit;
 use vvmesh::mesh::BoundaryPolicy;
-use vvmesh::scheme::{AnyScheme, Butterfly, Loop, LoopWeights, Midpoint, ModifiedButterfly};
+use vvmesh::scheme::{AnyScheme, Butterfly, Loop, LoopWeights, Midpoint, ModifiedButterfly, Sqrt3};
 use vvmesh::select::Expression;
 use vvmesh::step::{Cause, Keep, Spoiler};
 use vvmesh::subdivide::{Control, Subdivider};
@@ -103,6 +103,7 @@ fn scheme(arguments: &SubdivideArguments) -> AnyScheme {
         SchemeName::Butterfly => Butterfly.into(),
         SchemeName::ModifiedButterfly => ModifiedButterfly.into(),
         SchemeName::Midpoint => Midpoint.into(),
+        SchemeName::Sqrt3 => Sqrt3::default().into(),
     }
 }
 
@@ -183,13 +184,15 @@ fn tag(mesh: &mut Mesh, arguments: &SubdivideArguments) -> Result<(), Failure> {
     arguments.sharp.as_deref().map_or(Ok(()), |path| sharp::from_file(mesh, path))
 }
 
-/// Only what some output needs: it costs memory. Uniform refinement needs no proof that it is what it is.
+/// Only what some output needs: it costs memory. Uniform refinement needs no proof that it is what it is, and of other
+/// splits than that in four nothing is certified.
 fn keep(arguments: &SubdivideArguments) -> Keep {
     let vertex_table = arguments.vertex_table.is_some();
     let report = arguments.json || arguments.report.is_some();
     Keep {
         names: vertex_table || arguments.face_table.is_some(),
-        certificate: vertex_table || report || arguments.method != MethodName::Uniform,
+        certificate: scheme(arguments).reach().is_some()
+            && (vertex_table || report || arguments.method != MethodName::Uniform),
     }
 }
 
@@ -208,8 +211,8 @@ fn refine(
             selecting.select(run)?;
         }
         // The reasons are those before the step; a selection that follows needs none.
-        let doubts = match run.certificate() {
-            Some(certificate) if selecting.each_level => {
+        let doubts = match run.certificate().zip(reach) {
+            Some((certificate, reach)) if selecting.each_level => {
                 let unproven = certificate.unproven(&run.selection, reach);
                 unproven.iter().take(EXAMPLES).map(|&v| doubt(&certificate, &run.mesh, v)).collect()
             }

@@ -15,8 +15,8 @@ pub(crate) fn vertices(run: &Run, out: &mut impl Write) -> io::Result<()> {
     for v in run.mesh.vertices() {
         let level = run.history.level(v).unwrap_or(0);
         write!(out, "{}\t{level}\t", v.index())?;
-        if let Some([p, q]) = run.history.parents(v) {
-            write!(out, "{},{}", p.index(), q.index())?;
+        if let Some(lineage) = run.history.parents(v) {
+            write!(out, "{lineage}")?;
         }
         let is_selected = selected.next_if_eq(&&v).is_some();
         writeln!(out, "\t{}\t{}", u8::from(is_selected), u8::from(run.is_certified(v)))?;
