@@ -12,29 +12,11 @@ using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 using Surface = CGAL::Surface_mesh<Point>;
 using Vertex = Surface::Vertex_index;
 
-void build(const Mesh& mesh, Surface& surface) {
-    surface.reserve(mesh.vertices(), 3 * mesh.faces() / 2, mesh.faces());
-    for (size_t v = 0; v < mesh.vertices(); ++v) {
-        const double* p = &mesh.positions[3 * v];
-        surface.add_vertex(Point(p[0], p[1], p[2]));
-    }
-    for (size_t f = 0; f < mesh.faces(); ++f) {
-        const uint32_t* corner = &mesh.corners[3 * f];
-        surface.add_face(Vertex(corner[0]), Vertex(corner[1]), Vertex(corner[2]));
-    }
-}
-
-Surface built(const Mesh& mesh) {
-    Surface surface;
-    build(mesh, surface);
-    return surface;
-}
-
 int main(int count, char** arguments) {
     return serve(count, arguments, CGAL_VERSION_STR, [](Task& task) {
         const Mesh& mesh = task.mesh;
         if (int levels = task.loop_levels()) {
-            const Surface coarse = built(mesh);
+            const Surface coarse = built<Vertex, Surface>(mesh);
             Surface fine = task.timed([&] { return coarse; }, [&](Surface& surface) {
                 auto parameters = CGAL::parameters::number_of_iterations(levels);
                 CGAL::Subdivision_method_3::Loop_subdivision(surface, parameters);
@@ -44,10 +26,10 @@ int main(int count, char** arguments) {
                 for (int axis = 0; axis < 3; ++axis) result.push_back(fine.point(v)[axis]);
             task.answer(fine.number_of_faces(), result);
         } else if (task.name == "build") {
-            task.timed([] { return Surface(); }, [&](Surface& surface) { build(mesh, surface); });
+            task.timed([] { return Surface(); }, [&](Surface& surface) { build<Vertex>(mesh, surface); });
             task.answer(mesh.faces());
         } else if (task.name == "laplacian") {
-            const Surface surface = built(mesh);
+            const Surface surface = built<Vertex, Surface>(mesh);
             auto sums = task.timed([&] { return std::vector<double>(mesh.positions.size()); },
                                    [&](std::vector<double>& sums) {
                                        for (Vertex v : surface.vertices()) {
@@ -59,21 +41,21 @@ int main(int count, char** arguments) {
                                    });
             task.answer(mesh.faces(), sums);
         } else if (task.name == "search") {
-            const Surface surface = built(mesh);
+            const Surface surface = built<Vertex, Surface>(mesh);
             auto around = [&](uint32_t v, auto visit) {
                 for (Vertex w : surface.vertices_around_target(surface.halfedge(Vertex(v)))) visit(w.idx());
             };
             auto search = task.timed([&] { return Search(mesh.vertices()); }, [&](Search& search) { search.run(around); });
             task.answer(mesh.faces(), search.result());
         } else if (task.name == "validity") {
-            const Surface surface = built(mesh);
+            const Surface surface = built<Vertex, Surface>(mesh);
             bool valid = task.timed([] { return false; },
                                     [&](bool& valid) { valid = CGAL::is_valid_polygon_mesh(surface); });
             if (!valid) exit(1);
             task.answer(mesh.faces());
         } else if (task.name == "memory") {
             task.start_of_memory();
-            const Surface surface = built(mesh);
+            const Surface surface = built<Vertex, Surface>(mesh);
             task.end_of_memory();
             task.answer(mesh.faces());
         }

@@ -22,28 +22,9 @@ using Surface = OpenMesh::TriMesh_ArrayKernelT<Double>;
 using CompositeSurface = OpenMesh::TriMesh_ArrayKernelT<CompositeDouble>;
 using Vertex = OpenMesh::VertexHandle;
 
-template <class S>
-void build(const Mesh& mesh, S& surface) {
-    surface.reserve(mesh.vertices(), 3 * mesh.faces() / 2, mesh.faces());
-    for (size_t v = 0; v < mesh.vertices(); ++v) {
-        const double* p = &mesh.positions[3 * v];
-        surface.add_vertex({p[0], p[1], p[2]});
-    }
-    for (size_t f = 0; f < mesh.faces(); ++f) {
-        const uint32_t* corner = &mesh.corners[3 * f];
-        surface.add_face(Vertex(corner[0]), Vertex(corner[1]), Vertex(corner[2]));
-    }
-}
-
-Surface built(const Mesh& mesh) {
-    Surface surface;
-    build(mesh, surface);
-    return surface;
-}
-
 template <class Subdivider>
 void refine(Task& task, int levels) {
-    const Surface coarse = built(task.mesh);
+    const Surface coarse = built<Vertex, Surface>(task.mesh);
     Surface fine = task.timed([&] { return coarse; },
                               [&](Surface& surface) {
                                   Subdivider subdivider;
@@ -63,7 +44,7 @@ struct Composite {
 
     explicit Composite(const Mesh& mesh) {
         using namespace OpenMesh::Subdivider::Adaptive;
-        build(mesh, surface);
+        build<Vertex>(mesh, surface);
         // The rules of Loop, as the library's uniform composite has them.
         subdivider.add<Tvv4<CompositeSurface>>();
         subdivider.add<VdE<CompositeSurface>>();
@@ -104,10 +85,10 @@ int main(int count, char** arguments) {
         } else if (task.name == "butterfly4") {
             refine<OpenMesh::Subdivider::Uniform::ModifiedButterflyT<Surface>>(task, 4);
         } else if (task.name == "build") {
-            task.timed([] { return Surface(); }, [&](Surface& surface) { build(mesh, surface); });
+            task.timed([] { return Surface(); }, [&](Surface& surface) { build<Vertex>(mesh, surface); });
             task.answer(mesh.faces());
         } else if (task.name == "laplacian") {
-            const Surface surface = built(mesh);
+            const Surface surface = built<Vertex, Surface>(mesh);
             auto sums = task.timed([&] { return std::vector<double>(mesh.positions.size()); },
                                    [&](std::vector<double>& sums) {
                                        for (auto v : surface.vertices()) {
@@ -118,7 +99,7 @@ int main(int count, char** arguments) {
                                    });
             task.answer(mesh.faces(), sums);
         } else if (task.name == "search") {
-            const Surface surface = built(mesh);
+            const Surface surface = built<Vertex, Surface>(mesh);
             auto around = [&](uint32_t v, auto visit) {
                 for (auto w : surface.vv_range(Vertex(v))) visit(w.idx());
             };
@@ -142,7 +123,7 @@ int main(int count, char** arguments) {
             task.divide_samples(calls);
             task.answer(composite->surface.n_faces(), {}, "local: the adaptive composite of Loop");
         } else if (task.name == "validity") {
-            Surface surface = built(mesh);
+            Surface surface = built<Vertex, Surface>(mesh);
             bool valid = task.timed([] { return false; }, [&](bool& valid) {
                 OpenMesh::Utils::MeshCheckerT<Surface> checker(surface);
                 valid = checker.check(OpenMesh::Utils::MeshCheckerT<Surface>::CHECK_ALL, std::cerr);
@@ -151,7 +132,7 @@ int main(int count, char** arguments) {
             task.answer(mesh.faces());
         } else if (task.name == "memory") {
             task.start_of_memory();
-            const Surface surface = built(mesh);
+            const Surface surface = built<Vertex, Surface>(mesh);
             task.end_of_memory();
             task.answer(mesh.faces());
         }

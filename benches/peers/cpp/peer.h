@@ -36,6 +36,27 @@ inline Mesh read(const char* path) {
     return mesh;
 }
 
+// The structure of a library of half-edges, made from indexed faces.
+template <class Vertex, class Surface>
+void build(const Mesh& mesh, Surface& surface) {
+    surface.reserve(mesh.vertices(), 3 * mesh.faces() / 2, mesh.faces());
+    for (size_t v = 0; v < mesh.vertices(); ++v) {
+        const double* p = &mesh.positions[3 * v];
+        surface.add_vertex(typename Surface::Point(p[0], p[1], p[2]));
+    }
+    for (size_t f = 0; f < mesh.faces(); ++f) {
+        const uint32_t* corner = &mesh.corners[3 * f];
+        surface.add_face(Vertex(corner[0]), Vertex(corner[1]), Vertex(corner[2]));
+    }
+}
+
+template <class Vertex, class Surface>
+Surface built(const Mesh& mesh) {
+    Surface surface;
+    build<Vertex>(mesh, surface);
+    return surface;
+}
+
 // One request, and the answer to it.
 struct Task {
     std::string name;
