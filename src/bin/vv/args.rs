@@ -126,12 +126,31 @@ pub(crate) struct SelectArguments {
 
 Files are written whole or not at all, and none before the last level is made."))]
 pub(crate) struct SubdivideArguments {
-    /// The mesh, OBJ or OFF
-    #[arg(value_name = "MESH")]
-    pub(crate) mesh: PathBuf,
     /// Where to write the refined mesh, OBJ or OFF by its ending
     #[arg(short = 'o', value_name = "OUT")]
     pub(crate) output: PathBuf,
+    #[command(flatten)]
+    pub(crate) refine: RefineArguments,
+    /// Write a report, one row a level
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) report: Option<PathBuf>,
+    /// Write a table of the vertices: level, parents, selected, certified
+    #[arg(long, value_name = "FILE.tsv")]
+    pub(crate) vertex_table: Option<PathBuf>,
+    /// Write a table of the faces: level, kind, selected
+    #[arg(long, value_name = "FILE.tsv")]
+    pub(crate) face_table: Option<PathBuf>,
+    /// Print the report as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+// What every command that refines takes. No doc comment: it would stand in their help.
+#[derive(Args, Debug)]
+pub(crate) struct RefineArguments {
+    /// The mesh, OBJ or OFF
+    #[arg(value_name = "MESH")]
+    pub(crate) mesh: PathBuf,
     /// Which weights make the new positions
     #[arg(long)]
     pub(crate) scheme: SchemeName,
@@ -165,21 +184,9 @@ pub(crate) struct SubdivideArguments {
     /// Put the vertices where infinitely many steps of `loop` would
     #[arg(long)]
     pub(crate) limit: bool,
-    /// Write a report, one row a level
-    #[arg(long, value_name = "FILE.json")]
-    pub(crate) report: Option<PathBuf>,
-    /// Write a table of the vertices: level, parents, selected, certified
-    #[arg(long, value_name = "FILE.tsv")]
-    pub(crate) vertex_table: Option<PathBuf>,
-    /// Write a table of the faces: level, kind, selected
-    #[arg(long, value_name = "FILE.tsv")]
-    pub(crate) face_table: Option<PathBuf>,
     /// Refuse to make more faces than this [default: what fits the memory that is free]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) max_faces: Option<u64>,
-    /// Print the report as JSON
-    #[arg(long)]
-    pub(crate) json: bool,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]

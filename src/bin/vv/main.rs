@@ -13,6 +13,7 @@ mod input;
 mod memory;
 mod outputs;
 mod progress;
+mod refine;
 mod report;
 mod run;
 mod select;

@@ -1,0 +1,231 @@
+//! What the commands that refine do alike: what was asked for is checked, the mesh is tagged, all levels are made.
+
+use std::path::PathBuf;
+
+use vvmesh::adaptive::{Incremental, Simple, Uniform};
+use vvmesh::certify::Certificate;
+use vvmesh::error::RefineError;
+use vvmesh::mesh::BoundaryPolicy;
+use vvmesh::scheme::{AnyScheme, Butterfly, Loop, LoopWeights, Midpoint, ModifiedButterfly, Sqrt3};
+use vvmesh::select::Expression;
+use vvmesh::step::{Cause, Keep, Spoiler};
+use vvmesh::subdivide::{Control, Follower, Subdivider};
+use vvmesh::{Mesh, VertexId};
+
+use crate::args::{BoundaryName, MethodName, RefineArguments, SchemeName, WeightsName};
+use crate::console::{Failure, note, refuse, warning};
+use crate::memory::FaceLimit;
+use crate::outputs::{MESH, Named};
+use crate::progress::Bar;
+use crate::run::Run;
+use crate::table::count;
+use crate::{input, sharp};
+
+/// How many examples a warning gives.
+const EXAMPLES: usize = 3;
+
+/// Looks at the arguments before any work is done.
+pub(crate) fn prepare(arguments: &RefineArguments) -> Result<(Subdivider, Selecting), Failure> {
+    let scheme = scheme(arguments);
+    refuse_without_meaning(arguments, &scheme)?;
+    Ok((subdivider(arguments, scheme)?, Selecting::new(arguments)?))
+}
+
+/// The files that are read.
+pub(crate) fn inputs<'a>(arguments: &'a RefineArguments, selecting: &'a Selecting) -> Vec<Named<'a>> {
+    let mut inputs = vec![(MESH, arguments.mesh.as_path())];
+    inputs.extend(arguments.sharp.iter().map(|file| ("--sharp", file.as_path())));
+    inputs.extend(selecting.files.iter().map(|file| (selecting.option, file.as_path())));
+    inputs
+}
+
+/// Tags a mesh, refuses what would not fit, and selects.
+pub(crate) fn begin(
+    mut mesh: Mesh,
+    arguments: &RefineArguments,
+    subdivider: Subdivider,
+    selecting: &Selecting,
+    keep: Keep,
+    limit: FaceLimit,
+) -> Result<Run, Failure> {
+    tag(&mut mesh, arguments)?;
+    if arguments.method == MethodName::Uniform {
+        limit.refuse_uniform(mesh.face_count(), arguments.levels)?;
+    }
+    let mut run = Run::new(mesh, subdivider, keep);
+    selecting.select(&mut run)?;
+    Ok(run)
+}
+
+/// Makes all levels.
+pub(crate) fn refine(
+    run: &mut Run,
+    arguments: &RefineArguments,
+    selecting: &Selecting,
+    limit: FaceLimit,
+    mut follower: Option<&mut dyn Follower>,
+    bar: &mut Bar,
+) -> Result<(), Failure> {
+    let reach = scheme(arguments).reach();
+    for level in 1..=arguments.levels {
+        if selecting.each_level && level > 1 {
+            bar.hide();
+            selecting.select(run)?;
+        }
+        // The reasons are those before the step; a selection that follows needs none.
+        let doubts = match run.certificate().zip(reach) {
+            Some((certificate, reach)) if selecting.each_level => {
+                let unproven = certificate.unproven(&run.selection, reach);
+                unproven.iter().take(EXAMPLES).map(|&v| doubt(&certificate, &run.mesh, v)).collect()
+            }
+            _ => Vec::new(),
+        };
+        let mut show = |progress| bar.show(level, progress);
+        let follower = follower.as_mut().map(|follower| &mut **follower as &mut dyn Follower);
+        let step = run.step(&mut Control { max_faces: Some(limit.faces), progress: Some(&mut show), follower });
+        let step = step.map_err(|error| {
+            bar.hide();
+            Failure(match error {
+                RefineError::TooManyFaces { needed, .. } => limit.refusal(level, needed),
+                other => format!("level {level}: {other}. Nothing was written"),
+            })
+        })?;
+        if !step.unproven.is_empty() {
+            bar.hide();
+            warn_of_unproven(level, &step.unproven, step.selected, &doubts);
+        }
+    }
+    bar.hide();
+    Ok(())
+}
+
+/// The expression, and how often it is evaluated.
+pub(crate) struct Selecting {
+    option: &'static str,
+    expression: Expression,
+    /// The files that the expression names.
+    files: Vec<PathBuf>,
+    each_level: bool,
+}
+
+impl Selecting {
+    fn new(arguments: &RefineArguments) -> Result<Self, Failure> {
+        let each_level = arguments.select_each.is_some();
+        let option = if each_level { "--select-each" } else { "--select" };
+        let (expression, files) = input::parse_expression(option, expression(arguments))?;
+        Ok(Self { option, expression, files, each_level })
+    }
+
+    /// Evaluates the expression on the mesh as it is; picking nothing is legal, and told.
+    fn select(&self, run: &mut Run) -> Result<(), Failure> {
+        run.selection = input::evaluate(self.option, &self.expression, &run.mesh, &mut run.scratch)?;
+        if run.selection.is_empty() {
+            let level = if self.each_level { format!("level {}: ", run.next_level()) } else { String::new() };
+            note(format_args!("{level}{} picks no vertex", self.option));
+        }
+        Ok(())
+    }
+}
+
+pub(crate) fn expression(arguments: &RefineArguments) -> &str {
+    arguments.select_each.as_deref().or(arguments.select.as_deref()).unwrap_or("all")
+}
+
+pub(crate) fn scheme(arguments: &RefineArguments) -> AnyScheme {
+    match arguments.scheme {
+        SchemeName::Loop => Loop::new(weights(arguments)).into(),
+        SchemeName::Butterfly => Butterfly.into(),
+        SchemeName::ModifiedButterfly => ModifiedButterfly.into(),
+        SchemeName::Midpoint => Midpoint.into(),
+        SchemeName::Sqrt3 => Sqrt3::default().into(),
+    }
+}
+
+pub(crate) fn weights(arguments: &RefineArguments) -> LoopWeights {
+    match arguments.weights {
+        None | Some(WeightsName::Loop) => LoopWeights::Loop,
+        Some(WeightsName::Warren) => LoopWeights::Warren,
+    }
+}
+
+fn subdivider(arguments: &RefineArguments, scheme: AnyScheme) -> Result<Subdivider, Failure> {
+    Ok(match arguments.method {
+        MethodName::Uniform => Subdivider::new(scheme, Uniform),
+        MethodName::Simple => Subdivider::new(scheme, Simple),
+        MethodName::Incremental => match Incremental::new(rings(arguments)) {
+            Ok(method) => Subdivider::new(scheme, method),
+            Err(error) => return refuse(format!("--{error}")),
+        },
+    })
+}
+
+pub(crate) fn rings(arguments: &RefineArguments) -> usize {
+    arguments.rings.unwrap_or(1)
+}
+
+/// Refuses options that would do nothing under the scheme or the method.
+fn refuse_without_meaning(arguments: &RefineArguments, scheme: &AnyScheme) -> Result<(), Failure> {
+    let RefineArguments { scheme: name, method, .. } = arguments;
+    let is_loop = *name == SchemeName::Loop;
+    let reads_tags = scheme.reads_tags();
+    let no_tags = "its weights know neither creases nor corners";
+    let refusals = [
+        (
+            "--rings",
+            arguments.rings.is_some() && *method != MethodName::Incremental,
+            format!("--method {method}: only `incremental` expands the selection"),
+        ),
+        ("--weights", arguments.weights.is_some() && !is_loop, format!("--scheme {name}: its weights are fixed")),
+        ("--limit", arguments.limit && !is_loop, format!("--scheme {name}: limit positions are known for `loop` only")),
+        ("--boundary", arguments.boundary.is_some() && !reads_tags, format!("--scheme {name}: {no_tags}")),
+        ("--sharp", arguments.sharp.is_some() && !reads_tags, format!("--scheme {name}: {no_tags}")),
+        ("--sharp-angle", arguments.sharp_angle.is_some() && !reads_tags, format!("--scheme {name}: {no_tags}")),
+    ];
+    match refusals.iter().find(|(_, refused, _)| *refused) {
+        Some((option, _, reason)) => refuse(format!("{option} has no meaning with {reason}; leave it out")),
+        None => Ok(()),
+    }
+}
+
+/// Tags the input: corners by the boundary policy, sharp edges by angle or from a file.
+fn tag(mesh: &mut Mesh, arguments: &RefineArguments) -> Result<(), Failure> {
+    mesh.apply_boundary_policy(match arguments.boundary {
+        None | Some(BoundaryName::Smooth) => BoundaryPolicy::Smooth,
+        Some(BoundaryName::Corners) => BoundaryPolicy::Corners,
+        Some(BoundaryName::Fixed) => BoundaryPolicy::Fixed,
+    });
+    if let Some(degrees) = arguments.sharp_angle {
+        let sharp = sharp::by_angle(mesh, degrees);
+        note(format_args!("{} sharp, folded by more than {degrees} degrees", count(sharp, "edge is", "edges are")));
+    }
+    arguments.sharp.as_deref().map_or(Ok(()), |path| sharp::from_file(mesh, path))
+}
+
+fn warn_of_unproven(level: u8, unproven: &[VertexId], selected: usize, doubts: &[String]) {
+    let examples = match doubts {
+        [] => unproven.iter().take(EXAMPLES).map(VertexId::to_string).collect(),
+        doubts => doubts.to_vec(),
+    };
+    let more = if unproven.len() > examples.len() { ", ..." } else { "" };
+    warning(format_args!(
+        "level {level}: for {} of {selected} selected vertices this step is not proven equal to uniform refinement, as \
+         the selection did not follow the levels before: {}{more}",
+        unproven.len(),
+        examples.join(", ")
+    ));
+}
+
+/// A vertex for which the next step is not proven exact, with the reason.
+fn doubt(certificate: &Certificate<'_>, mesh: &Mesh, v: VertexId) -> String {
+    // A vertex that is certified itself has a neighbour that is not.
+    let (beside, cause) = match certificate.cause(v) {
+        Some(cause) => ("", Some(cause)),
+        None => (" beside it", mesh.ring(v).iter().find_map(|w| certificate.cause(w))),
+    };
+    match cause {
+        Some(Cause::Spoiled(Spoiler::TVertex(t))) => format!("{v} (T-vertex {t}{beside})"),
+        Some(Cause::Spoiled(Spoiler::OVertex(o))) => format!("{v} (O-vertex {o}{beside})"),
+        Some(Cause::NotRefined) => format!("{v} (coarser{beside})"),
+        None => v.to_string(),
+    }
+}
