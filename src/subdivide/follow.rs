@@ -67,8 +67,8 @@ pub struct StepMasks<'a> {
 pub struct Assignment<'a> {
     /// The vertex that gets a new value.
     pub vertex: VertexId,
-    /// The vertices that a new vertex was made between, the older first, as in [`Parent`](crate::step::Parent); none for an
-    /// old vertex.
+    /// The vertices that a new vertex was made of, in the order of its [`Lineage`](crate::step::Lineage); none for an old
+    /// vertex.
     pub parents: &'a [VertexId],
     /// The weights of its new value.
     pub mask: &'a Mask,
