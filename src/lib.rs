@@ -47,13 +47,15 @@
 //! ```
 //!
 //! Then: [`query`] (stars, disks, areas, angles, normals), [`graph`] (petgraph's algorithms on the rings), [`limit`] (where
-//! infinitely many steps lead), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and
+//! infinitely many steps lead), `matrix` (refinement as a sparse matrix), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and
 //! transactions), [`soup`] (faces that are no mesh yet), [`Mesh::reordered`] (other numbers, for a mesh whose neighbours lie
 //! far apart in memory).
 //!
 //! # Features
 //!
 //! `cli` (default): what the binary `vv` needs, `parallel` with it. The library is the same without it.
+//!
+//! `matrix`: the module of that name, and sparse matrices as files.
 //!
 //! `parallel`: whole meshes are refined, built and checked on all threads of rayon's pool, with the same result to the last
 //! bit. A local step runs on one.
@@ -140,6 +142,8 @@ pub mod graph;
 pub mod id;
 pub mod io;
 pub mod limit;
+#[cfg(feature = "matrix")]
+pub mod matrix;
 pub mod mesh;
 mod parallel;
 pub mod query;
@@ -155,6 +159,8 @@ pub mod subdivide;
 
 pub use glam;
 pub use petgraph;
+#[cfg(feature = "matrix")]
+pub use sprs;
 
 pub use angle::Angle;
 pub use id::{DirectedEdge, Edge, Triangle, VertexId};

@@ -11,6 +11,8 @@
 
 mod atomic;
 mod attributes;
+#[cfg(feature = "matrix")]
+mod matrix_market;
 mod notes;
 mod obj;
 mod obj_scan;
@@ -20,6 +22,8 @@ mod write;
 
 pub use atomic::write_atomically;
 pub use attributes::FaceAttributes;
+#[cfg(feature = "matrix")]
+pub use matrix_market::write_matrix_market;
 pub use notes::{Note, NoteKind};
 pub use obj::{read_obj, write_obj};
 pub use off::{read_off, write_off};

@@ -74,6 +74,12 @@ impl<'a, W: Write> Lines<'a, W> {
         push_integer(&mut self.buffer, value as u64);
     }
 
+    /// A number, without a blank.
+    #[cfg(feature = "matrix")]
+    pub(super) fn float(&mut self, value: f64) {
+        push_float(&mut self.buffer, value);
+    }
+
     /// Three coordinates and the end of the line.
     pub(super) fn position(&mut self, position: DVec3) -> io::Result<()> {
         for (value, end) in position.to_array().into_iter().zip([b' ', b' ', b'\n']) {
