@@ -39,6 +39,7 @@ pub(crate) enum Command {
     Check(CheckArguments),
     Select(SelectArguments),
     Subdivide(SubdivideArguments),
+    Matrix(MatrixArguments),
 }
 
 /// Refine a region of a built-in mesh by every method and compare
@@ -141,6 +142,27 @@ pub(crate) struct SubdivideArguments {
     #[arg(long, value_name = "FILE.tsv")]
     pub(crate) face_table: Option<PathBuf>,
     /// Print the report as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Write a refinement as a sparse matrix: refined positions are this matrix times those of the input
+#[derive(Args, Debug)]
+#[command(after_help = format!("\
+{EXPRESSIONS}Example:
+  vv matrix cage.obj -o S.mtx --scheme loop --levels 3 --method uniform
+
+The matrix has a row for each vertex that `vv subdivide` would write with the same options, and a
+column for each vertex of the input, both in the order of the files. The file is Matrix Market,
+coordinate real general, counted from 1. When the input is moved and its faces stay, one product
+takes the place of refining it again; a selection is not made anew."))]
+pub(crate) struct MatrixArguments {
+    /// Where to write the matrix
+    #[arg(short = 'o', value_name = "OUT.mtx")]
+    pub(crate) output: PathBuf,
+    #[command(flatten)]
+    pub(crate) refine: RefineArguments,
+    /// Print the sizes as JSON
     #[arg(long)]
     pub(crate) json: bool,
 }

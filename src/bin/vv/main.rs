@@ -10,6 +10,7 @@ mod demo;
 mod demo_model;
 mod info;
 mod input;
+mod matrix;
 mod memory;
 mod outputs;
 mod progress;
@@ -52,6 +53,7 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Select(arguments) => select::run(&arguments),
         Command::Subdivide(arguments) => subdivide::run(&arguments),
+        Command::Matrix(arguments) => matrix::run(&arguments),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

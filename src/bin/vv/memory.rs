@@ -1,12 +1,18 @@
 //! How many faces fit the memory of the machine.
 
 use sysinfo::{MemoryRefreshKind, System};
+use vvmesh::Mesh;
 
+use crate::args::SchemeName;
 use crate::console::{Failure, refuse};
 
 /// Bytes a face at the peak of a run. Up to 56 were measured, with all that can be kept; the rest is for rings longer than
 /// usual and for systems that copy what grows.
 const BYTES_A_FACE: u64 = 96;
+
+/// Bytes a weight at the peak of a run that makes a matrix. It takes 12; up to 26 were measured, where rows of limit
+/// positions are made of those of vertices; the rest is for systems that copy what grows.
+const BYTES_A_WEIGHT: f64 = 32.0;
 
 /// How many faces a run may make, and why.
 #[derive(Clone, Copy)]
@@ -20,9 +26,19 @@ pub(crate) struct FaceLimit {
 impl FaceLimit {
     /// The number that the user gave, else what fits the memory that is free now.
     pub(crate) fn new(given: Option<u64>) -> Self {
+        Self::of(given, BYTES_A_FACE)
+    }
+
+    /// The same if the matrix of the refinement of a mesh is made, too.
+    pub(crate) fn with_matrix(given: Option<u64>, mesh: &Mesh, scheme: SchemeName) -> Self {
+        let bytes_a_vertex = weights_a_row(mesh, scheme) * BYTES_A_WEIGHT;
+        Self::of(given, BYTES_A_FACE + (bytes_a_vertex / 2.0) as u64)
+    }
+
+    fn of(given: Option<u64>, bytes_a_face: u64) -> Self {
         let Some(faces) = given else {
             let bytes = available_bytes();
-            return Self { faces: bytes / BYTES_A_FACE, memory: Some(bytes) };
+            return Self { faces: bytes / bytes_a_face, memory: Some(bytes) };
         };
         Self { faces, memory: None }
     }
@@ -53,6 +69,22 @@ impl FaceLimit {
         };
         format!("level {level} would have {needed} faces; {why}. Nothing was written")
     }
+}
+
+/// About how many weights a row of the matrix gets at most.
+///
+/// On a regular mesh that is what the numbers tend to as levels are added. Around vertices of n neighbours it is more: a
+/// face of Loop's weighs the stars of its corners, with n + m + k − 6 vertices, and the mean of that is Σ n² / F − 6.
+fn weights_a_row(mesh: &Mesh, scheme: SchemeName) -> f64 {
+    let regular = match scheme {
+        SchemeName::Midpoint => return 3.0,
+        SchemeName::Loop => 12.0,
+        SchemeName::Sqrt3 => 18.0,
+        SchemeName::Butterfly | SchemeName::ModifiedButterfly => 24.0,
+    };
+    let squares: f64 = mesh.vertices().map(|v| (mesh.ring(v).valence() as f64).powi(2)).sum();
+    let stars = squares / mesh.face_count().max(1) as f64 - 6.0;
+    regular * (stars / 12.0).max(1.0)
 }
 
 /// The memory that this process may still take: what the machine has left, or its control group if that is less. Any

@@ -1,0 +1,81 @@
+//! `vv matrix`: a mesh in, a region refined, the matrix of the refinement out.
+
+use serde::Serialize;
+use vvmesh::io::{write_atomically, write_matrix_market};
+use vvmesh::limit::LoopLimit;
+use vvmesh::matrix::{SubdivisionMatrix, WeightMatrix};
+use vvmesh::step::Keep;
+
+use crate::Outcome;
+use crate::args::{MatrixArguments, MethodName};
+use crate::console::{Failure, print, print_json, refuse};
+use crate::memory::FaceLimit;
+use crate::outputs::{self, OUT};
+use crate::progress::Bar;
+use crate::table::count;
+use crate::{input, refine};
+
+/// What is told of a matrix: its sizes, and what it takes in memory.
+#[derive(Serialize)]
+struct Sizes {
+    rows: usize,
+    columns: usize,
+    nonzeros: usize,
+    bytes: usize,
+}
+
+pub(crate) fn run(arguments: &MatrixArguments) -> Result<Outcome, Failure> {
+    let mut bar = Bar::new();
+    let MatrixArguments { output, refine: asked, json } = arguments;
+    let (subdivider, selecting) = refine::prepare(asked)?;
+    if !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("mtx")) {
+        return refuse(format!("{OUT}: {}: the name must end in .mtx", output.display()));
+    }
+    outputs::check(&[(OUT, output)], &refine::inputs(asked, &selecting))?;
+
+    let mesh = input::read_mesh(&asked.mesh)?;
+    let mut matrix = SubdivisionMatrix::new(&mesh);
+    let limit = FaceLimit::with_matrix(asked.max_faces, &mesh, asked.scheme);
+    let certificate = refine::scheme(asked).reach().is_some() && asked.method != MethodName::Uniform;
+    let keep = Keep { names: false, certificate };
+    let mut run = refine::begin(mesh, asked, subdivider, &selecting, keep, limit)?;
+    refine::refine(&mut run, asked, &selecting, limit, Some(&mut matrix), &mut bar)?;
+    let weights = if asked.limit {
+        matrix.limit(&run.mesh, LoopLimit::new(refine::weights(asked)))
+    } else {
+        matrix.into_weights()
+    };
+
+    bar.show_stage(format!("writing {}", output.display()));
+    let written = write_atomically(output, |out| write_matrix_market(out, weights.csr(), &command()));
+    bar.hide();
+    written?;
+    let sizes = Sizes::of(&weights);
+    if *json {
+        print_json(&sizes)?;
+    } else {
+        let [rows, columns] = [count(sizes.rows, "row", "rows"), count(sizes.columns, "column", "columns")];
+        print(&format!("wrote {}: {rows}, {columns}, {} nonzeros\n", output.display(), sizes.nonzeros))?;
+    }
+    Ok(Outcome::Done)
+}
+
+impl Sizes {
+    fn of(weights: &WeightMatrix) -> Self {
+        Self {
+            rows: weights.row_count(),
+            columns: weights.column_count(),
+            nonzeros: weights.nonzero_count(),
+            bytes: weights.memory_bytes(),
+        }
+    }
+}
+
+/// The command as it was typed, which says what the matrix is one of.
+fn command() -> String {
+    let words = std::env::args_os().skip(1).map(|word| {
+        let word = word.to_string_lossy().into_owned();
+        if word.contains(char::is_whitespace) { format!("{word:?}") } else { word }
+    });
+    format!("vv {} {}", env!("CARGO_PKG_VERSION"), words.collect::<Vec<_>>().join(" "))
+}
