@@ -46,6 +46,12 @@ pub enum RefineError {
         /// How this one does.
         asked: &'static str,
     },
+    /// Under √3, a step by a method that promises exactness and one by a method that does not, in one run: the latter keeps
+    /// positions of all levels from the first step on.
+    OtherPositions,
+    /// The step has no masks to show to a follower: under √3, if the method does not promise exactness, positions are those
+    /// of many levels.
+    NoMasks,
     /// A selection names a vertex that does not exist.
     NoVertex(crate::id::VertexId),
     /// A new position is not a finite number.
@@ -68,6 +74,15 @@ impl fmt::Display for RefineError {
             Self::OtherSplit { made, asked } => {
                 write!(f, "{asked} cannot follow {made} in one run; begin a new history with the mesh as it is")
             }
+            Self::OtherPositions => write!(
+                f,
+                "under sqrt3 a method that promises exactness and one that does not cannot follow each other in one run; \
+                 begin a new history with the mesh as it is"
+            ),
+            Self::NoMasks => write!(
+                f,
+                "under sqrt3 nothing can follow the masks of a method that does not promise exactness; take another method"
+            ),
             Self::NoVertex(v) => write!(f, "the selection names {v}, which does not exist"),
             Self::NonFinite(v) => write!(f, "the new position of {v} is not finite; scale the mesh down"),
             Self::Cancelled => write!(f, "cancelled"),

@@ -260,10 +260,24 @@ impl RotationSystem {
     }
 
     pub(crate) fn set_ring(&mut self, v: VertexId, ring: RingBuf) {
-        let old = std::mem::replace(&mut self.rings[v.index()], ring);
-        let (old, new) = (old.as_ring(), self.rings[v.index()].as_ring());
+        drop(self.replace_ring(v, ring));
+    }
+
+    /// Puts another ring in place of one, which is the answer.
+    pub(crate) fn replace_ring(&mut self, v: VertexId, ring: RingBuf) -> RingBuf {
+        let replaced = std::mem::replace(&mut self.rings[v.index()], ring);
+        let (old, new) = (replaced.as_ring(), self.rings[v.index()].as_ring());
         self.entries = self.entries + new.valence() - old.valence();
         self.open = self.open + usize::from(new.is_open()) - usize::from(old.is_open());
+        replaced
+    }
+
+    /// Takes out the last vertices, so that this many are left.
+    pub(crate) fn truncate(&mut self, vertex_count: usize) {
+        for ring in self.rings.drain(vertex_count..) {
+            self.entries -= ring.as_ring().valence();
+            self.open -= usize::from(ring.as_ring().is_open());
+        }
     }
 
     /// Puts another neighbour at a slot.

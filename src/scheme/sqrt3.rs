@@ -1,6 +1,6 @@
 //! The √3 scheme.
 
-use super::{MaskSink, cos_of_turn};
+use super::{MaskSink, cos_of_turn, crease_neighbors};
 use crate::id::VertexId;
 use crate::mesh::Neighborhood;
 
@@ -54,29 +54,27 @@ impl Sqrt3 {
         mask.group(1.0 / 3.0, corners);
     }
 
-    /// Writes the mask of an even vertex off the boundary.
+    /// Writes the mask of an even vertex; on a boundary, of one between two edges that are cut.
     #[inline]
     pub fn even(&self, around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink) {
         let ring = around.ring(v);
-        let alpha = self.alpha(ring.valence());
-        mask.group(1.0 - alpha, [v]);
-        mask.group(alpha / ring.valence().max(1) as f64, ring);
+        if ring.is_open() {
+            mask.group(19.0 / 27.0, [v]);
+            mask.group(4.0 / 27.0, crease_neighbors(around, v));
+        } else {
+            let alpha = self.alpha(ring.valence());
+            mask.group(1.0 - alpha, [v]);
+            mask.group(alpha / ring.valence().max(1) as f64, ring);
+        }
     }
 
-    /// Writes the mask of an even vertex between these two neighbours along the boundary, both edges to which are cut.
+    /// Writes the mask of the new vertex that cuts a boundary edge near one end.
     #[inline]
-    pub fn boundary_even(&self, v: VertexId, along: [VertexId; 2], mask: &mut impl MaskSink) {
-        mask.group(19.0 / 27.0, [v]);
-        mask.group(4.0 / 27.0, along);
-    }
-
-    /// Writes the mask of the new vertex that cuts a boundary edge in three near one end; `beyond` is the boundary neighbour
-    /// of that end on its other side.
-    #[inline]
-    pub fn third(&self, near: VertexId, far: VertexId, beyond: VertexId, mask: &mut impl MaskSink) {
+    pub fn third(&self, around: Neighborhood<'_>, near: VertexId, far: VertexId, mask: &mut impl MaskSink) {
+        let [after, before] = crease_neighbors(around, near);
         mask.group(16.0 / 27.0, [near]);
         mask.group(10.0 / 27.0, [far]);
-        mask.group(1.0 / 27.0, [beyond]);
+        mask.group(1.0 / 27.0, [if after == far { before } else { after }]);
     }
 }
 

@@ -8,6 +8,7 @@
 mod diagonal;
 mod peers;
 pub(crate) mod quadrisect;
+pub(crate) mod trisect;
 pub(crate) mod whole;
 
 pub use diagonal::{Diagonal, Quad};

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::{Exactness, Lineage, SplitKind};
+use super::{Exactness, Lineage, Motions, SplitKind};
 use crate::error::RefineError;
 use crate::id::{Edge, Triangle, VertexId};
 use crate::mesh::Mesh;
@@ -22,7 +22,8 @@ pub struct Keep {
 /// every step. Two calls of one step are then the same as one call of two.
 ///
 /// Without anything kept it is a few bytes a step, and one a new vertex if the split is not in four: a trisection or a
-/// bisection cannot do without birth levels.
+/// bisection cannot do without birth levels. Adaptive √3 by the method *simple* keeps 104 bytes a vertex: where it was born
+/// and how it moves from there.
 #[derive(Clone, Debug)]
 pub struct History {
     /// How many vertices there were before each step; the first entry counts the input vertices.
@@ -34,6 +35,8 @@ pub struct History {
     levels: Option<Vec<u8>>,
     names: Option<Names>,
     exactness: Option<Exactness>,
+    /// Of every vertex, if the steps are those that need it.
+    motions: Option<Motions>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -101,6 +104,7 @@ impl History {
             levels: keep.names.then(Vec::new),
             names: keep.names.then(Names::default),
             exactness: keep.certificate.then(Exactness::new),
+            motions: None,
         }
     }
 
@@ -184,6 +188,19 @@ impl History {
         Some((finest - u8::from(closes && finest > 0), closes))
     }
 
+    /// How many half steps of √3 made a triangle; `None` if levels are not kept.
+    ///
+    /// With L the greatest level of its corners it is 2L if two of them have it, or L = 0; else 2L − 1: the triangle is *odd*,
+    /// and becomes even with the next one across the edge opposite to its youngest corner, if that is not on a boundary.
+    #[must_use]
+    pub fn generation(&self, triangle: Triangle) -> Option<u32> {
+        let [a, b, c] = triangle.corners();
+        let levels = [self.level(a)?, self.level(b)?, self.level(c)?];
+        let greatest = levels[0].max(levels[1]).max(levels[2]);
+        let youngest = levels.iter().filter(|&&level| level == greatest).count();
+        Some(2 * u32::from(greatest) - u32::from(greatest > 0 && youngest == 1))
+    }
+
     /// The edges of the mesh that were drawn to close cracks, ascending; `None` if names are not kept. O(n log n) in the
     /// number of those ever drawn.
     #[must_use]
@@ -224,6 +241,20 @@ impl History {
 
     pub(crate) fn exactness_mut(&mut self) -> Option<&mut Exactness> {
         self.exactness.as_mut()
+    }
+
+    /// Whether it is known how all vertices move from level to level.
+    pub(crate) fn has_motions(&self) -> bool {
+        self.motions.is_some()
+    }
+
+    /// How all vertices move from level to level, if it is known; a step gives it back.
+    pub(crate) fn take_motions(&mut self) -> Option<Motions> {
+        self.motions.take()
+    }
+
+    pub(crate) fn keep_motions(&mut self, motions: Motions) {
+        self.motions = Some(motions);
     }
 
     /// The level of the vertex that splits this edge.
@@ -271,5 +302,6 @@ impl History {
         names
             + self.levels.as_ref().map_or(0, Vec::capacity)
             + self.exactness.as_ref().map_or(0, Exactness::memory_bytes)
+            + self.motions.as_ref().map_or(0, Motions::memory_bytes)
     }
 }

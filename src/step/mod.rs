@@ -10,6 +10,7 @@ mod exactness;
 mod history;
 mod kind;
 mod lineage;
+mod motion;
 mod parent;
 mod region;
 
@@ -18,6 +19,7 @@ pub(crate) use exactness::{Exactness, Proof};
 pub use history::{History, Keep};
 pub use kind::SplitKind;
 pub use lineage::Lineage;
+pub(crate) use motion::{Motion, Motions};
 pub use parent::Parent;
 pub use region::Region;
 pub(crate) use region::RegionKind;

@@ -178,7 +178,10 @@ impl Subdivider {
         history.allow(self.scheme.split_kind())?;
         let region = self.method.region(mesh, selection, scratch);
         let step = match &self.scheme {
-            AnyScheme::Sqrt3(scheme) => trisect::step(scheme, mesh, history, selection, &region, scratch, control),
+            AnyScheme::Sqrt3(scheme) => {
+                let exact = self.method.promises_exactness();
+                trisect::step(scheme, exact, mesh, history, selection, &region, scratch, control)
+            }
             _ => self.quadrisect(mesh, history, selection, &region, scratch, control),
         };
         scratch.give_list(region.into_list());

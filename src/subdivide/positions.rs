@@ -14,10 +14,10 @@ use crate::split::whole::Whole;
 use crate::step::Parent;
 
 /// After how many new positions of a region they are stored, and the caller is asked whether to go on.
-const BUFFERED: usize = 1 << 10;
+pub(super) const BUFFERED: usize = 1 << 10;
 
 /// What an empty mask makes, which no scheme's is.
-const NO_POSITION: DVec3 = DVec3::NAN;
+pub(super) const NO_POSITION: DVec3 = DVec3::NAN;
 
 /// Positions on their way into a mesh.
 #[derive(Default)]
@@ -160,6 +160,6 @@ fn odd<S: Scheme>(scheme: &S, around: Neighborhood<'_>, positions: &[DVec3], par
 }
 
 /// The position, or the error for which the vertex to blame is named.
-fn finite(position: DVec3, v: VertexId) -> Result<DVec3, RefineError> {
+pub(super) fn finite(position: DVec3, v: VertexId) -> Result<DVec3, RefineError> {
     if position.is_finite() { Ok(position) } else { Err(RefineError::NonFinite(v)) }
 }
