@@ -123,6 +123,33 @@ fn the_vertex_table_names_parents_and_flags() {
     assert!(rows.iter().any(|row| row[4] == "0"));
 }
 
+/// Of six triangles of a grid the one at its corner 0 has all corners selected.
+#[test]
+fn the_tables_of_sqrt3_name_what_it_makes() {
+    let desk = Desk::new();
+    let command = "subdivide grid.obj -o o.obj --scheme sqrt3 --vertex-table v.tsv --face-table f.tsv --json";
+    let report = desk.done(&format!("{command} --levels 2 --method uniform")).json();
+    let mesh = desk.mesh("o.obj");
+    let rows: Vec<Vec<String>> =
+        desk.read("v.tsv").lines().skip(1).map(|line| line.split('\t').map(str::to_owned).collect()).collect();
+    assert_eq!(rows.len(), mesh.vertex_count());
+    let count = |mark: char, times: usize| rows.iter().filter(|row| row[2].matches(mark).count() == times).count();
+    let boundary_edges = shapes::grid(5, 4).rotation().boundary_edge_count();
+    assert_eq!((count('>', 1), count(',', 1)), (2 * boundary_edges, 0));
+    assert!(rows.iter().all(|row| row[4] == "-"), "nothing is certified");
+    let step = &report["levels"][1];
+    assert_eq!(
+        (&step["split_edges"], &step["t_vertices"], &step["certified"]),
+        (&boundary_edges.into(), &0.into(), &Value::Null)
+    );
+
+    desk.done(&format!("{command} --levels 1 --method simple --select disk:14,1"));
+    let faces = desk.read("f.tsv");
+    let kinds = |kind: &str| faces.lines().filter(|line| line.split('\t').nth(2) == Some(kind)).count();
+    // Six triangles around a vertex: of the eighteen, six wait for the triangle outside.
+    assert_eq!((kinds("odd"), kinds("even"), kinds("regular")), (6, faces.lines().count() - 1 - 6, 0));
+}
+
 #[test]
 fn the_face_table_tells_closure_from_regular() {
     let desk = Desk::new();
@@ -342,6 +369,11 @@ fn options_without_meaning_are_refused() {
         ("--scheme midpoint --method uniform --boundary smooth", "--boundary has no meaning with --scheme midpoint"),
         ("--scheme butterfly --method uniform --sharp sharp.txt", "--sharp has no meaning with --scheme butterfly"),
         ("--scheme midpoint --method uniform --sharp-angle 3", "--sharp-angle has no meaning"),
+        ("--scheme sqrt3 --method uniform --sharp-angle 3", "--sharp-angle has no meaning with --scheme sqrt3"),
+        ("--scheme sqrt3 --method simple --sharp sharp.txt", "--sharp has no meaning with --scheme sqrt3"),
+        ("--scheme sqrt3 --method uniform --boundary fixed", "--boundary has no meaning with --scheme sqrt3"),
+        ("--scheme sqrt3 --method uniform --weights loop", "--weights has no meaning with --scheme sqrt3"),
+        ("--scheme sqrt3 --method uniform --limit", "--limit has no meaning with --scheme sqrt3"),
         ("--scheme loop --method uniform --sharp sharp.txt --sharp-angle 3", "cannot be used with"),
         ("--scheme loop --method uniform --sharp-angle 181", "expected degrees from 0 to 180"),
         ("--scheme loop --method uniform --sharp-angle -1", "expected degrees from 0 to 180"),

@@ -292,13 +292,12 @@ fn late_selections_are_exact() {
 /// On a model a disk is refined, for all steps.
 #[test]
 fn nested_selections_are_exact_on_models() {
-    for (name, mesh) in models().iter().filter(|(_, mesh)| mesh.face_count() < 1500) {
+    for (_, mesh) in models().iter().filter(|(_, mesh)| mesh.face_count() < 1500) {
         let levels = uniform_levels(mesh, 4);
         let mut random = Random::new(3005);
         let center = VertexId::new(random.below(mesh.vertex_count()));
         let patch: Selection =
             r_disk(mesh.rotation(), [center], 2, &mut Scratch::new()).into_vertices().into_iter().collect();
-        println!("{name}");
         assert_nested_is_exact(mesh, &patch, &levels, |selection, _| selection.clone());
     }
 }
@@ -391,7 +390,6 @@ fn simple_of_everything_is_uniform() {
 #[test]
 fn adaptive_meshes_conform_after_each_of_six_steps() {
     for (name, mesh) in models() {
-        println!("{name}");
         for (seed, subdivider) in [simple(), incremental(1)].into_iter().enumerate() {
             let mut random = Random::new(3008 + seed as u64);
             let mut run = Run::new(&mesh);

@@ -134,7 +134,7 @@ impl History {
         }
     }
 
-    /// The greatest valence of the mesh. O(1).
+    /// The greatest valence of the mesh, after any of its steps under √3, where valences fall again when edges are turned. O(1).
     #[must_use]
     pub fn max_valence(&self) -> usize {
         self.max_valence

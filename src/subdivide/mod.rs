@@ -80,19 +80,20 @@ impl Control<'_> {
 /// What a step did.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Step {
-    /// The selection that follows: the selected vertices and every new one between two of them.
+    /// The selection that follows: the selected vertices and every new one between two of them, under √3 in a triangle of
+    /// three of them.
     pub selection: Selection,
     /// How many vertices were selected before the step.
     pub selected: usize,
     /// How many vertices took part in the step.
     pub region: usize,
-    /// How many edges were split, which is the number of new vertices.
+    /// How many edges were split, which is the number of new vertices; under √3 the boundary edges that were cut in three.
     pub split_edges: usize,
-    /// The new vertices with a triangle beside them that was not split in four, ascending.
+    /// The new vertices with a triangle beside them that was not split in four, ascending; none under √3.
     pub t_vertices: Vec<VertexId>,
-    /// The old vertices to which closing added neighbours, ascending.
+    /// The old vertices to which closing added neighbours, ascending; none under √3.
     pub o_vertices: Vec<VertexId>,
-    /// How many vertices of the mesh are certified after the step; `None` if the history keeps no certificate.
+    /// How many vertices of the mesh are certified after the step; `None` if the history keeps no certificate, as under √3.
     pub certified: Option<usize>,
     /// Selected vertices for which this step was not proven exact although the method promises it, because the
     /// selection did not follow the refinement. Empty without a certificate.
@@ -154,7 +155,8 @@ impl Subdivider {
     /// Refines the region that the method chooses for a selection.
     ///
     /// # Errors
-    /// A selected vertex that does not exist, a history of another [`SplitKind`], more faces than [`Control::max_faces`], more vertices than 32-bit ids name,
+    /// A selected vertex that does not exist, a history of another [`SplitKind`] or under √3 of other methods, a
+    /// follower without masks to follow, more faces than [`Control::max_faces`], more vertices than 32-bit ids name,
     /// a 256th level, a position that is not finite, or the caller's wish to stop. The mesh and the history are then as
     /// before.
     ///

@@ -135,7 +135,7 @@ pub(crate) struct SubdivideArguments {
     /// Write a report, one row a level
     #[arg(long, value_name = "FILE.json")]
     pub(crate) report: Option<PathBuf>,
-    /// Write a table of the vertices: level, parents, selected, certified
+    /// Write a table of the vertices: level, parents (`1,2`, `1,2,5`, or `3>7` for a third of an edge), selected, certified
     #[arg(long, value_name = "FILE.tsv")]
     pub(crate) vertex_table: Option<PathBuf>,
     /// Write a table of the faces: level, kind, selected
@@ -173,7 +173,7 @@ pub(crate) struct RefineArguments {
     /// The mesh, OBJ or OFF
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
-    /// Which weights make the new positions
+    /// Which weights make the new positions; `sqrt3` also splits triangles in its own way, in three instead of four
     #[arg(long)]
     pub(crate) scheme: SchemeName,
     /// How many steps; 0 copies the mesh

@@ -43,11 +43,11 @@ impl FaceLimit {
         Self { faces, memory: None }
     }
 
-    /// Refuses a uniform run of which some level would be too large.
-    pub(crate) fn refuse_uniform(self, faces: usize, levels: u8) -> Result<(), Failure> {
+    /// Refuses a uniform run of which some level would be too large, each step making `parts` of a face.
+    pub(crate) fn refuse_uniform(self, faces: usize, parts: u64, levels: u8) -> Result<(), Failure> {
         let mut needed = faces as u64;
         for level in 1..=levels {
-            needed = needed.saturating_mul(4);
+            needed = needed.saturating_mul(parts);
             if needed > self.faces {
                 return refuse(self.refusal(level, needed));
             }

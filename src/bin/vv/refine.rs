@@ -50,7 +50,8 @@ pub(crate) fn begin(
 ) -> Result<Run, Failure> {
     tag(&mut mesh, arguments)?;
     if arguments.method == MethodName::Uniform {
-        limit.refuse_uniform(mesh.face_count(), arguments.levels)?;
+        let parts = if arguments.scheme == SchemeName::Sqrt3 { 3 } else { 4 };
+        limit.refuse_uniform(mesh.face_count(), parts, arguments.levels)?;
     }
     let mut run = Run::new(mesh, subdivider, keep);
     selecting.select(&mut run)?;

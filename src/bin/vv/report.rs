@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::table::{Table, seconds};
 
 /// One step: `selected` and `region` in vertices before it, split edges, T- and O-vertices made by it, the rest after it.
+/// Under √3 only boundary edges are split, and there are no T- and O-vertices.
 #[derive(Serialize, Clone, Debug)]
 pub(crate) struct Row {
     pub(crate) level: u8,

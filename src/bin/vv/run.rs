@@ -2,13 +2,13 @@
 
 use std::time::Instant;
 
+use vvmesh::Mesh;
 use vvmesh::certify::Certificate;
 use vvmesh::error::RefineError;
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
 use vvmesh::step::{History, Keep};
 use vvmesh::subdivide::{Control, Step, Subdivider};
-use vvmesh::{Mesh, VertexId};
 
 use crate::report::{Row, Sizes, Totals};
 
@@ -64,11 +64,6 @@ impl Run {
     /// The certificate, if it is kept.
     pub(crate) fn certificate(&self) -> Option<Certificate<'_>> {
         Certificate::new(&self.mesh, &self.history)
-    }
-
-    /// Whether a vertex is proven equal to uniform refinement; `false` without a certificate.
-    pub(crate) fn is_certified(&self, v: VertexId) -> bool {
-        self.certificate().is_some_and(|certificate| certificate.is_certified(v))
     }
 
     pub(crate) fn sizes(&self) -> Sizes {

@@ -3,14 +3,17 @@
 use std::io::{self, Write};
 
 use vvmesh::Edge;
+use vvmesh::certify::Certificate;
+use vvmesh::step::SplitKind;
 
 use crate::run::Run;
 
-/// One line a vertex in the order of the output: `id level parents selected certified`.
+/// One line a vertex in the order of the output: `id level parents selected certified`, the last `-` without a certificate.
 ///
-/// The run keeps names and a certificate.
+/// The run keeps names.
 pub(crate) fn vertices(run: &Run, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "id\tlevel\tparents\tselected\tcertified")?;
+    let certificate = run.certificate();
     let mut selected = run.selection.vertices().iter().peekable();
     for v in run.mesh.vertices() {
         let level = run.history.level(v).unwrap_or(0);
@@ -19,12 +22,16 @@ pub(crate) fn vertices(run: &Run, out: &mut impl Write) -> io::Result<()> {
             write!(out, "{lineage}")?;
         }
         let is_selected = selected.next_if_eq(&&v).is_some();
-        writeln!(out, "\t{}\t{}", u8::from(is_selected), u8::from(run.is_certified(v)))?;
+        let flag = |certificate: &Certificate<'_>| if certificate.is_certified(v) { "1" } else { "0" };
+        let certified = certificate.as_ref().map_or("-", flag);
+        writeln!(out, "\t{}\t{certified}", u8::from(is_selected))?;
     }
     Ok(())
 }
 
 /// One line a face in the order of the output: `id level kind selected`. A face is selected if its corners are.
+///
+/// The kind is `regular`, or `closure` of what closes a crack; under √3 `even`, or `odd` of what comes before an edge is turned.
 ///
 /// The run keeps names.
 pub(crate) fn faces(run: &Run, out: &mut impl Write) -> io::Result<()> {
@@ -36,7 +43,12 @@ pub(crate) fn faces(run: &Run, out: &mut impl Write) -> io::Result<()> {
     }
     for (id, triangle) in run.mesh.triangles().enumerate() {
         let (level, closes) = run.history.face_level(triangle, &closing).unwrap_or((0, false));
-        let kind = if closes { "closure" } else { "regular" };
+        let kind = match run.history.split_kind() {
+            Some(SplitKind::Trisect) if run.history.generation(triangle).is_some_and(|made| made % 2 == 1) => "odd",
+            Some(SplitKind::Trisect) => "even",
+            _ if closes => "closure",
+            _ => "regular",
+        };
         let is_selected = triangle.corners().iter().all(|v| selected[v.index()]);
         writeln!(out, "{id}\t{level}\t{kind}\t{}", u8::from(is_selected))?;
     }
