@@ -144,6 +144,65 @@ fn corners_keep_their_texture_coordinates_and_normals() {
 }
 
 #[test]
+fn what_is_read_is_written_again() {
+    let Some(folder) = common::meshes() else { return };
+    let mut with_attributes = 0;
+    for row in tables::readme(&folder).iter().filter(|row| row.file.ends_with("obj")) {
+        let loaded = io::read(folder.join(&row.file)).unwrap();
+        with_attributes += usize::from(!loaded.attributes.is_empty());
+        let again = written_and_read(&loaded);
+        assert_eq!(again.faces, loaded.faces, "{}", row.file);
+        assert_eq!(again.attributes, loaded.attributes, "{}", row.file);
+    }
+    assert!(with_attributes > 5, "there are files with attributes");
+}
+
+#[test]
+fn attributes_of_every_sort_are_written_again() {
+    let text = "mtllib some where.mtl\nmtllib b.mtl\nv 0 0 0 0.5 0.25 1\nv 1 0 0\nv 1 1 0 0 0 1e-300\nv 0 1 0\n\
+        vt 0.1 0.2\nvt 1 2\nvt -0 5e-324\nvn 0 0 1\nvn 0 1 0\n\
+        f 1 2 3\no thing\ng left right\nusemtl red paint\ns 3\nf 1/1 2/2 3/3 4/1\nf 1//2 3//1 4\n\
+        o\ng\nusemtl\nf 1/3/2 2 3/1\ng left\ns off\nf 1/3/2 2/1/1 3/1/1\n";
+    let loaded = read(text);
+    let again = written_and_read(&loaded);
+    assert_eq!(again.attributes, loaded.attributes);
+    assert_eq!(again.faces, loaded.faces);
+    let mut written = Vec::new();
+    io::write_obj_with(&mut written, &loaded.faces, &loaded.attributes).unwrap();
+    assert_eq!(String::from_utf8(written).unwrap(), text);
+    // A third value anywhere is written for all.
+    let deep = read("v 0 0 0\nvt 1\nvt 1 2 3\n");
+    assert_eq!(written_and_read(&deep).attributes, deep.attributes);
+}
+
+fn written_and_read(loaded: &Loaded) -> Loaded {
+    let mut written = Vec::new();
+    io::write_obj_with(&mut written, &loaded.faces, &loaded.attributes).unwrap();
+    io::read_obj(&written).unwrap()
+}
+
+#[test]
+fn triangles_of_polygons_keep_what_is_said_of_their_corners() {
+    let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\n\
+        g triangle\nf 2/2 5 3/3\ng quad\nf 1/1//1 2/2 3/3 4\n"
+        .replace("//1", "/1");
+    let loaded = read(&text);
+    let cut = loaded.faces.triangulate();
+    let attributes = loaded.attributes.of_triangles(&loaded.faces, &cut);
+    assert_eq!(cut.face_of, [0, 1, 1]);
+    for (k, (triangle, &face)) in cut.triangles.iter().zip(&cut.face_of).enumerate() {
+        let face = face as usize;
+        assert!(attributes.groups(k).eq(loaded.attributes.groups(face)));
+        for (corner, v) in triangle.iter().enumerate() {
+            let place = loaded.faces.face(face).iter().position(|w| w == v).unwrap();
+            let of_face = loaded.faces.corner_range(face).start + place;
+            assert_eq!(attributes.texture_index(3 * k + corner), loaded.attributes.texture_index(of_face));
+            assert_eq!(attributes.normal_index(3 * k + corner), loaded.attributes.normal_index(of_face));
+        }
+    }
+}
+
+#[test]
 fn lines_are_read_however_they_are_written() {
     let plain = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").faces;
     for text in [
@@ -173,7 +232,7 @@ fn numbers_are_double_precision_and_may_be_none() {
 #[test]
 fn what_is_ignored_is_told() {
     let text = "t interpolateboundary 1/0/0 1\nv 0 0 0\nv 1 0 0 5\nv 0 1 0 0.5 0.25 1\nl 1 2 3\np 1\nvp 1 2\ncurv 1 2\n\
-        fancy 1\nt x\nf 1 2 3\nfancier\n";
+        lod 3\nfancy 1\nt x\nf 1 2 3\nfancier\n";
     let loaded = read(text);
     assert_eq!(faces(&loaded.faces), [[0, 1, 2]]);
     assert_eq!(loaded.faces.positions[1], DVec3::X);
@@ -188,7 +247,8 @@ fn what_is_ignored_is_told() {
             "1 polyline ignored (line 5)",
             "1 line of points ignored (line 6)",
             "2 lines of free-form geometry ignored (line 7 on)",
-            "2 unknown statements ignored, first 'fancy' (line 9 on)",
+            "1 rendering statement ignored (line 9)",
+            "2 unknown statements ignored, first 'fancy' (line 10 on)",
         ]
     );
 }

@@ -1,8 +1,10 @@
 //! What stands at the faces of a file beside their corners: groups, materials, texture coordinates, normals.
 
-use std::ops::Range;
+use std::sync::Arc;
 
 use glam::DVec3;
+
+use crate::soup::{FaceList, Triangulation};
 
 /// What an OBJ file says about its faces beside their corners, by the number of the face in the file.
 ///
@@ -18,17 +20,12 @@ pub struct FaceAttributes {
     pub vertex_colors: Vec<Option<[f64; 3]>>,
     /// File names of `mtllib` lines in order. The files are not opened.
     pub material_libraries: Vec<String>,
-    pub(super) names: Vec<String>,
-    /// Lists of group names, one after the other.
-    pub(super) group_lists: Vec<NameId>,
+    /// Ascending by face, each unlike the one before.
     pub(super) sections: Vec<Section>,
     /// By corner, or empty if no corner has one.
     pub(super) texture_indices: Vec<u32>,
     pub(super) normal_indices: Vec<u32>,
 }
-
-/// The place of a name among the names.
-pub(super) type NameId = u32;
 
 /// In place of an index of a corner that has none.
 pub(super) const NO_INDEX: u32 = u32::MAX;
@@ -40,13 +37,12 @@ pub(super) struct Section {
     pub(super) state: State,
 }
 
-/// What `o`, `g`, `usemtl` and `s` lines set.
+/// What `o`, `g`, `usemtl` and `s` lines set. Equal names are one text in memory.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct State {
-    pub(super) object: Option<NameId>,
-    /// Where in the lists of group names.
-    pub(super) groups: Range<usize>,
-    pub(super) material: Option<NameId>,
+    pub(super) object: Option<Arc<str>>,
+    pub(super) groups: Arc<[Arc<str>]>,
+    pub(super) material: Option<Arc<str>>,
     pub(super) smoothing: u32,
 }
 
@@ -54,19 +50,18 @@ impl FaceAttributes {
     /// The object a face belongs to. O(log sections), as are the next three.
     #[must_use]
     pub fn object(&self, face: usize) -> Option<&str> {
-        self.name(self.state(face)?.object)
+        self.state(face)?.object.as_deref()
     }
 
     /// The groups a face belongs to, in the order of the file.
     pub fn groups(&self, face: usize) -> impl ExactSizeIterator<Item = &str> + Clone {
-        let range = self.state(face).map_or(0..0, |state| state.groups.clone());
-        self.group_lists[range].iter().map(|&name| self.names[name as usize].as_str())
+        self.state(face).map_or(&[][..], |state| &state.groups).iter().map(|name| &**name)
     }
 
     /// The material of a face.
     #[must_use]
     pub fn material(&self, face: usize) -> Option<&str> {
-        self.name(self.state(face)?.material)
+        self.state(face)?.material.as_deref()
     }
 
     /// The smoothing group of a face, 0 for none.
@@ -80,13 +75,13 @@ impl FaceAttributes {
     /// Corners are counted through all faces: see [`FaceList::corner_range`](crate::soup::FaceList::corner_range).
     #[must_use]
     pub fn texture_index(&self, corner: usize) -> Option<usize> {
-        self.texture_indices.get(corner).filter(|&&index| index != NO_INDEX).map(|&index| index as usize)
+        index(&self.texture_indices, corner)
     }
 
     /// Which of the [`normals`](Self::normals) a corner has; corners are counted through all faces.
     #[must_use]
     pub fn normal_index(&self, corner: usize) -> Option<usize> {
-        self.normal_indices.get(corner).filter(|&&index| index != NO_INDEX).map(|&index| index as usize)
+        index(&self.normal_indices, corner)
     }
 
     /// Whether nothing was said.
@@ -95,12 +90,58 @@ impl FaceAttributes {
         *self == Self::default()
     }
 
-    fn state(&self, face: usize) -> Option<&State> {
-        let after = self.sections.partition_point(|section| section.first_face <= face);
-        Some(&self.sections[after.checked_sub(1)?].state)
+    /// The same for the triangles into which the faces of a list were [cut](FaceList::triangulate): a triangle has what
+    /// its face has, and each of its corners what the corner of the face has. O(corners).
+    ///
+    /// ```
+    /// let text = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\ng quad\nf 1/1 2/2 3/3 4/4\n";
+    /// let loaded = vvmesh::io::read_obj(text)?;
+    /// let cut = loaded.faces.triangulate();
+    /// let attributes = loaded.attributes.of_triangles(&loaded.faces, &cut);
+    /// assert_eq!(cut.triangles, [[0, 1, 2], [0, 2, 3]]);
+    /// assert!((0..6).map(|corner| attributes.texture_index(corner).unwrap()).eq([0, 1, 2, 0, 2, 3]));
+    /// assert!(attributes.groups(1).eq(["quad"]));
+    /// # Ok::<(), vvmesh::error::ReadError>(())
+    /// ```
+    #[must_use]
+    pub fn of_triangles(&self, faces: &FaceList, cut: &Triangulation) -> Self {
+        let at_corners = |indices: &[u32]| -> Vec<u32> {
+            if indices.is_empty() {
+                return Vec::new();
+            }
+            let of = |(&face, triangle): (&u32, &[u32; 3])| {
+                let corners = faces.corner_range(face as usize);
+                let place = |v: &u32| faces.face(face as usize).iter().position(|w| w == v);
+                triangle.map(|v| place(&v).and_then(|k| indices.get(corners.start + k)).copied().unwrap_or(NO_INDEX))
+            };
+            cut.face_of.iter().zip(&cut.triangles).flat_map(of).collect()
+        };
+        let first_triangle = |face: usize| cut.face_of.partition_point(|&of| (of as usize) < face);
+        let section = |section: &Section| Section {
+            first_face: first_triangle(section.first_face),
+            state: section.state.clone(),
+        };
+        Self {
+            texture_coordinates: self.texture_coordinates.clone(),
+            normals: self.normals.clone(),
+            vertex_colors: self.vertex_colors.clone(),
+            material_libraries: self.material_libraries.clone(),
+            sections: self.sections.iter().map(section).collect(),
+            texture_indices: at_corners(&self.texture_indices),
+            normal_indices: at_corners(&self.normal_indices),
+        }
     }
 
-    fn name(&self, id: Option<NameId>) -> Option<&str> {
-        id.map(|id| self.names[id as usize].as_str())
+    /// The place of the section that a face is in; `None` before the first.
+    pub(super) fn section_of(&self, face: usize) -> Option<usize> {
+        self.sections.partition_point(|section| section.first_face <= face).checked_sub(1)
     }
+
+    fn state(&self, face: usize) -> Option<&State> {
+        self.section_of(face).map(|section| &self.sections[section].state)
+    }
+}
+
+fn index(indices: &[u32], corner: usize) -> Option<usize> {
+    indices.get(corner).filter(|&&index| index != NO_INDEX).map(|&index| index as usize)
 }

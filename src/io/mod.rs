@@ -4,7 +4,7 @@
 //! numbers, repeated corners, vertices without a face: all that is kept, and [`FaceList::defects`] tells of it. What
 //! cannot be read as it stands is a [`ReadError`] that names the line. Nothing is ignored in silence: see [`Note`].
 //!
-//! Read in this order: [`read`], [`Loaded`], [`FaceAttributes`], [`save`].
+//! Read in this order: [`read`], [`Loaded`], [`FaceAttributes`], [`save`], [`save_with`].
 //!
 //! **Deliberately not here**: triangles of polygons ([`FaceList::triangulate`]) and the mesh itself
 //! ([`Mesh::from_triangles`](crate::Mesh::from_triangles)).
@@ -16,6 +16,7 @@ mod matrix_market;
 mod notes;
 mod obj;
 mod obj_scan;
+mod obj_write;
 mod off;
 mod text;
 mod write;
@@ -25,7 +26,8 @@ pub use attributes::FaceAttributes;
 #[cfg(feature = "matrix")]
 pub use matrix_market::write_matrix_market;
 pub use notes::{Note, NoteKind};
-pub use obj::{read_obj, write_obj};
+pub use obj::read_obj;
+pub use obj_write::{write_obj, write_obj_with};
 pub use off::{read_off, write_off};
 pub use write::Surface;
 
@@ -119,9 +121,21 @@ pub fn read(path: impl AsRef<Path>) -> Result<Loaded, ReadError> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn save(path: impl AsRef<Path>, surface: &impl Surface) -> Result<(), WriteError> {
+    save_with(path, surface, &FaceAttributes::default())
+}
+
+/// As [`save`], with what is said of faces and vertices as [`write_obj_with`] writes it. OFF is written without.
+///
+/// # Errors
+/// Those of [`save`].
+pub fn save_with(
+    path: impl AsRef<Path>,
+    surface: &impl Surface,
+    attributes: &FaceAttributes,
+) -> Result<(), WriteError> {
     let path = path.as_ref();
     match Format::from_ending(path) {
-        Some(Format::Obj) => write_atomically(path, |out| write_obj(out, surface)),
+        Some(Format::Obj) => write_atomically(path, |out| write_obj_with(out, surface, attributes)),
         Some(Format::Off) => write_atomically(path, |out| write_off(out, surface)),
         None => Err(WriteError { path: path.to_owned(), kind: WriteErrorKind::UnknownEnding }),
     }

@@ -29,6 +29,8 @@ pub enum NoteKind {
     FreeForm,
     /// OBJ: a fourth coordinate, the weight of rational surfaces; without meaning for polygons, ignored.
     Weights,
+    /// OBJ: how to draw faces or cut them finer (`mg`, `lod`, `usemap` and the like), ignored.
+    Rendering,
     /// OBJ: statements that are none of the format, ignored; the first of them.
     Unknown(String),
     /// Colours of vertices: of OBJ kept among the attributes, of OFF ignored.
@@ -57,6 +59,7 @@ impl fmt::Display for Note {
             NoteKind::Polylines => write!(f, "{count} {} ignored", many("polyline", "polylines"))?,
             NoteKind::Points => write!(f, "{count} {} of points ignored", many("line", "lines"))?,
             NoteKind::FreeForm => write!(f, "{count} {} of free-form geometry ignored", many("line", "lines"))?,
+            NoteKind::Rendering => write!(f, "{count} rendering {} ignored", many("statement", "statements"))?,
             NoteKind::Weights => write!(f, "fourth coordinate of {count} {} ignored", many("vertex", "vertices"))?,
             NoteKind::Unknown(first) => {
                 write!(f, "{count} unknown {} ignored, first '{first}'", many("statement", "statements"))?;

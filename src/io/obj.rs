@@ -1,4 +1,4 @@
-//! OBJ, read through tobj and written by hand. Only this file names tobj.
+//! OBJ, read through tobj. Only this file names tobj.
 //!
 //! tobj reads the vertices. [`Scan`] stands before it: it counts the lines, checks them, passes `v x y z` on and takes the
 //! faces itself, for tobj loses the line, the groups and what stands at a corner, and splits shared vertices.
@@ -8,14 +8,14 @@
 //!
 //! **Deliberately not here**: material files. Their names are kept, they are not opened.
 
-use std::io::{self, BufRead, Read, Write};
+use std::io::{self, BufRead, Read};
 use std::ops::Range;
 
 use glam::DVec3;
 
 use super::obj_scan::{Feeding, Scan};
 use super::text::{Words, float, normalize, shown};
-use super::write::{self, Surface};
+use super::write;
 use super::{Format, Loaded};
 use crate::error::{ReadError, ReadErrorKind};
 
@@ -59,26 +59,6 @@ pub fn read_obj(bytes: &[u8]) -> Result<Loaded, ReadError> {
     }
     debug_assert_eq!(faces.positions.len(), vertex_count);
     Ok(Loaded { format: Format::Obj, faces, attributes, notes })
-}
-
-/// Writes OBJ: `v` lines, then `f` lines, nothing else.
-///
-/// Numbers are the shortest that give the same bits when read. The faces of a mesh come by smallest corner, then in the
-/// order of its ring.
-///
-/// # Errors
-/// What the writer says.
-pub fn write_obj(out: &mut impl Write, surface: &impl Surface) -> io::Result<()> {
-    let mut lines = write::Lines::new(out);
-    for &position in surface.positions() {
-        lines.text("v ")?;
-        lines.position(position)?;
-    }
-    surface.try_for_each_face(|face| {
-        lines.text("f")?;
-        lines.corners(face, 1)
-    })?;
-    lines.finish()
 }
 
 /// How many vertices one of the added faces names. More would make tobj's hash map outgrow the cache.

@@ -5,11 +5,12 @@
 //!
 //! **Deliberately not here**: the coordinates of vertices; those tobj reads.
 
-use std::collections::HashMap;
+use std::collections::HashSet;
+use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::attributes::{FaceAttributes, NO_INDEX, NameId, Section, State};
+use super::attributes::{FaceAttributes, NO_INDEX, Section, State};
 use super::notes::{self, Note, NoteKind};
 use super::text::{Words, float, integer, shown};
 use crate::error::{ReadError, ReadErrorKind};
@@ -42,8 +43,10 @@ pub(super) struct Scan {
     corners: Vec<u32>,
     pub(super) attributes: FaceAttributes,
     pub(super) notes: Vec<Note>,
-    name_ids: HashMap<String, NameId>,
+    names: HashSet<Arc<str>>,
     state: State,
+    /// Whether a line said something of the state since the last face.
+    state_was_told: bool,
     /// The greatest index of each sort and its line: a face may name what comes later, so it is checked at the end.
     greatest: [(usize, usize); 3],
 }
@@ -126,8 +129,8 @@ impl Scan {
     }
 
     fn face(&mut self, words: Words<'_>, line: usize) -> Result<(), ReadErrorKind> {
-        if self.attributes.sections.last().map_or(self.state != State::default(), |last| last.state != self.state) {
-            self.attributes.sections.push(Section { first_face: self.faces.face_count(), state: self.state.clone() });
+        if std::mem::take(&mut self.state_was_told) {
+            self.start_section();
         }
         self.corners.clear();
         for word in words {
@@ -143,6 +146,14 @@ impl Scan {
         }
         self.faces.push_face(&self.corners);
         Ok(())
+    }
+
+    /// Starts a section at the next face, unless it would be like the one before: a file may say `g` at each face.
+    fn start_section(&mut self) {
+        let sections = &mut self.attributes.sections;
+        if sections.last().map_or(self.state != State::default(), |last| last.state != self.state) {
+            sections.push(Section { first_face: self.faces.face_count(), state: self.state.clone() });
+        }
     }
 
     /// A corner `v`, `v/vt`, `v//vn` or `v/vt/vn`.
@@ -204,61 +215,46 @@ impl Scan {
                 }
                 self.attributes.normals.push(DVec3::from(values));
             }
-            b"o" => self.state.object = self.name(&words.rest()),
-            b"usemtl" => self.state.material = self.name(&words.rest()),
-            b"g" => {
-                let start = self.attributes.group_lists.len();
-                for word in words {
-                    let name = self.name(&String::from_utf8_lossy(word));
-                    self.attributes.group_lists.extend(name);
-                }
-                self.state.groups = start..self.attributes.group_lists.len();
-                self.share_group_list();
-            }
-            b"s" => match words.next() {
-                None | Some(b"off") => self.state.smoothing = 0,
-                Some(word) => match integer(word).ok().and_then(|group| u32::try_from(group).ok()) {
-                    Some(group) => self.state.smoothing = group,
-                    None => notes::count(&mut self.notes, NoteKind::Unknown(format!("s {}", shown(word))), line),
-                },
-            },
+            b"o" | b"g" | b"usemtl" | b"s" => self.tell_state(keyword, words, line),
             b"mtllib" => self.attributes.material_libraries.push(words.rest().into_owned()),
             b"t" => notes::count(&mut self.notes, NoteKind::Tags, line),
             b"l" => notes::count(&mut self.notes, NoteKind::Polylines, line),
             b"p" => notes::count(&mut self.notes, NoteKind::Points, line),
             b"vp" | b"cstype" | b"deg" | b"bmat" | b"step" | b"curv" | b"curv2" | b"surf" | b"parm" | b"trim"
             | b"hole" | b"scrv" | b"sp" | b"end" | b"con" => notes::count(&mut self.notes, NoteKind::FreeForm, line),
-            // How to draw the faces, without a word on where they are.
             b"mg" | b"bevel" | b"c_interp" | b"d_interp" | b"lod" | b"maplib" | b"usemap" | b"shadow_obj"
-            | b"trace_obj" | b"ctech" | b"stech" => {}
+            | b"trace_obj" | b"ctech" | b"stech" => notes::count(&mut self.notes, NoteKind::Rendering, line),
             _ => notes::count(&mut self.notes, NoteKind::Unknown(shown(keyword)), line),
         }
         Ok(())
     }
 
-    /// Lets the state refer to the list of the section before if the names are the same: a file may say `g` at each
-    /// face.
-    fn share_group_list(&mut self) {
-        let attributes = &mut self.attributes;
-        let Some(last) = attributes.sections.last() else { return };
-        let lists = &attributes.group_lists;
-        if lists[last.state.groups.clone()] == lists[self.state.groups.clone()] {
-            attributes.group_lists.truncate(self.state.groups.start);
-            self.state.groups = last.state.groups.clone();
+    fn tell_state(&mut self, keyword: &[u8], mut words: Words<'_>, line: usize) {
+        self.state_was_told = true;
+        match keyword {
+            b"o" => self.state.object = self.name(&words.rest()),
+            b"usemtl" => self.state.material = self.name(&words.rest()),
+            b"g" => self.state.groups = words.filter_map(|word| self.name(&String::from_utf8_lossy(word))).collect(),
+            _ => match words.next() {
+                None | Some(b"off") => self.state.smoothing = 0,
+                Some(word) => match integer(word).ok().and_then(|group| u32::try_from(group).ok()) {
+                    Some(group) => self.state.smoothing = group,
+                    None => notes::count(&mut self.notes, NoteKind::Unknown(format!("s {}", shown(word))), line),
+                },
+            },
         }
     }
 
-    fn name(&mut self, name: &str) -> Option<NameId> {
+    fn name(&mut self, name: &str) -> Option<Arc<str>> {
         if name.is_empty() {
             return None;
         }
-        if let Some(&id) = self.name_ids.get(name) {
-            return Some(id);
+        if let Some(known) = self.names.get(name) {
+            return Some(Arc::clone(known));
         }
-        let id = self.attributes.names.len() as NameId;
-        self.attributes.names.push(name.to_owned());
-        self.name_ids.insert(name.to_owned(), id);
-        Some(id)
+        let name: Arc<str> = name.into();
+        self.names.insert(Arc::clone(&name));
+        Some(name)
     }
 }
 

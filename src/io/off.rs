@@ -64,7 +64,7 @@ pub fn write_off(out: &mut impl Write, surface: &impl Surface) -> io::Result<()>
     let mut lines = write::Lines::new(out);
     lines.text(&format!("OFF\n{} {} 0\n", surface.positions().len(), surface.face_count()))?;
     for &position in surface.positions() {
-        lines.position(position)?;
+        lines.numbers(&position.to_array())?;
     }
     surface.try_for_each_face(|face| {
         lines.integer(face.len());

@@ -80,11 +80,31 @@ impl<'a, W: Write> Lines<'a, W> {
         push_float(&mut self.buffer, value);
     }
 
-    /// Three coordinates and the end of the line.
-    pub(super) fn position(&mut self, position: DVec3) -> io::Result<()> {
-        for (value, end) in position.to_array().into_iter().zip([b' ', b' ', b'\n']) {
+    /// Numbers with blanks between, and the end of the line.
+    pub(super) fn numbers(&mut self, values: &[f64]) -> io::Result<()> {
+        for (k, &value) in values.iter().enumerate() {
+            if k > 0 {
+                self.buffer.push(b' ');
+            }
             push_float(&mut self.buffer, value);
-            self.buffer.push(end);
+        }
+        self.buffer.push(b'\n');
+        self.pass_on()
+    }
+
+    /// A blank and a corner of OBJ: `v`, `v/vt`, `v//vn` or `v/vt/vn`, of indices from 0.
+    pub(super) fn corner(&mut self, v: u32, texture: Option<usize>, normal: Option<usize>) -> io::Result<()> {
+        self.buffer.push(b' ');
+        push_integer(&mut self.buffer, u64::from(v) + 1);
+        if texture.is_some() || normal.is_some() {
+            self.buffer.push(b'/');
+        }
+        if let Some(index) = texture {
+            push_integer(&mut self.buffer, index as u64 + 1);
+        }
+        if let Some(index) = normal {
+            self.buffer.push(b'/');
+            push_integer(&mut self.buffer, index as u64 + 1);
         }
         self.pass_on()
     }
