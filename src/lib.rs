@@ -47,7 +47,8 @@
 //! ```
 //!
 //! Then: [`query`] (stars, disks, areas, angles, normals), [`graph`] (petgraph's algorithms on the rings), [`limit`] (where
-//! infinitely many steps lead), `matrix` (refinement as a sparse matrix), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and
+//! infinitely many steps lead), `matrix` (refinement as a sparse matrix), [`attributes`] (colours, texture coordinates and
+//! labels that ride along), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and
 //! transactions), [`soup`] (faces that are no mesh yet), [`Mesh::reordered`] (other numbers, for a mesh whose neighbours lie
 //! far apart in memory).
 //!
@@ -111,6 +112,9 @@
 //!
 #![doc = include_str!("../docs/region.svg")]
 //!
+//! **Seam, chart**: an edge at which the two faces have different values at their corners; the faces between seams. Cut along
+//! them, a mesh is the *chart mesh* that lies over it.
+//!
 //! **T-vertex, O-vertex**: an odd vertex on an edge whose other triangle was not refined; the old vertex opposite to it, to
 //! which closing the crack adds a neighbour.
 //!
@@ -135,6 +139,7 @@
 
 pub mod adaptive;
 pub mod angle;
+pub mod attributes;
 pub mod certify;
 pub mod check;
 pub mod error;

@@ -244,7 +244,7 @@ fn polygons_are_cut_and_it_is_told() {
 #[test]
 fn what_is_not_carried_over_is_told() {
     let desk = Desk::new();
-    let refine = "-o o.obj --scheme loop --levels 1 --method uniform";
+    let refine = "-o o.off --scheme loop --levels 1 --method uniform";
     assert_eq!(desk.done(&format!("subdivide grid.obj {refine}")).err, "");
     desk.write("named.obj", format!("o grid\n{}", desk.read("grid.obj")));
     let told = desk.done(&format!("subdivide named.obj {refine}")).err;

@@ -23,6 +23,7 @@ examples! {
     refine, "../examples/03_refine_a_region.rs", "incremental: ";
     paths, "../examples/04_paths.rs", "1 component";
     cage, "../examples/05_moving_cage.rs", "frame 3: ";
+    texture, "../examples/06_texture_coordinates.rs", "5 of 5 vertices on the seam";
 }
 
 #[test]

@@ -177,8 +177,8 @@ fn attributes_of_every_sort_are_written_again() {
 
 fn written_and_read(loaded: &Loaded) -> Loaded {
     let mut written = Vec::new();
-    io::write_obj_with(&mut written, &loaded.faces, &loaded.attributes).unwrap();
-    io::read_obj(&written).unwrap()
+    io::write_obj_with(&mut written, &loaded.faces, &loaded.attributes).expect("a list can be written to");
+    io::read_obj(&written).expect("what is written can be read")
 }
 
 #[test]

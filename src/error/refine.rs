@@ -52,6 +52,11 @@ pub enum RefineError {
     /// The step has no masks to show to a follower: under √3, if the method does not promise exactness, positions are those
     /// of many levels.
     NoMasks,
+    /// Attributes of faces or their corners cannot be taken along by a step that cuts triangles in this way.
+    Unfollowed {
+        /// How it does.
+        asked: &'static str,
+    },
     /// A selection names a vertex that does not exist.
     NoVertex(crate::id::VertexId),
     /// A new position is not a finite number.
@@ -82,6 +87,10 @@ impl fmt::Display for RefineError {
             Self::NoMasks => write!(
                 f,
                 "under sqrt3 nothing can follow the masks of a method that does not promise exactness; take another method"
+            ),
+            Self::Unfollowed { asked } => write!(
+                f,
+                "labels of faces and values at their corners are not taken along by {asked}; leave them behind"
             ),
             Self::NoVertex(v) => write!(f, "the selection names {v}, which does not exist"),
             Self::NonFinite(v) => write!(f, "the new position of {v} is not finite; scale the mesh down"),

@@ -21,18 +21,18 @@ pub struct FaceAttributes {
     /// File names of `mtllib` lines in order. The files are not opened.
     pub material_libraries: Vec<String>,
     /// Ascending by face, each unlike the one before.
-    pub(super) sections: Vec<Section>,
+    pub(crate) sections: Vec<Section>,
     /// By corner, or empty if no corner has one.
-    pub(super) texture_indices: Vec<u32>,
-    pub(super) normal_indices: Vec<u32>,
+    pub(crate) texture_indices: Vec<u32>,
+    pub(crate) normal_indices: Vec<u32>,
 }
 
 /// In place of an index of a corner that has none.
-pub(super) const NO_INDEX: u32 = u32::MAX;
+pub(crate) const NO_INDEX: u32 = u32::MAX;
 
 /// What holds from one face on, until the next section.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Section {
+pub(crate) struct Section {
     pub(super) first_face: usize,
     pub(super) state: State,
 }
@@ -132,8 +132,22 @@ impl FaceAttributes {
         }
     }
 
+    /// What is left for other faces that stand in these sections, ascending; `None` is before the first. What belongs to
+    /// corners and vertices is left out.
+    pub(crate) fn for_faces(&self, sections: impl Iterator<Item = Option<usize>>) -> Self {
+        let mut kept: Vec<Section> = Vec::new();
+        let mut last = None;
+        for (first_face, section) in sections.enumerate() {
+            if let Some(section) = section.filter(|_| section != last) {
+                kept.push(Section { first_face, state: self.sections[section].state.clone() });
+            }
+            last = section;
+        }
+        Self { material_libraries: self.material_libraries.clone(), sections: kept, ..Self::default() }
+    }
+
     /// The place of the section that a face is in; `None` before the first.
-    pub(super) fn section_of(&self, face: usize) -> Option<usize> {
+    pub(crate) fn section_of(&self, face: usize) -> Option<usize> {
         self.sections.partition_point(|section| section.first_face <= face).checked_sub(1)
     }
 

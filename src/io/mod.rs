@@ -23,6 +23,7 @@ mod write;
 
 pub use atomic::write_atomically;
 pub use attributes::FaceAttributes;
+pub(crate) use attributes::NO_INDEX;
 #[cfg(feature = "matrix")]
 pub use matrix_market::write_matrix_market;
 pub use notes::{Note, NoteKind};

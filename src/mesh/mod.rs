@@ -190,6 +190,11 @@ impl Mesh {
         self.rotation.memory_bytes() + self.positions.capacity() * size_of::<DVec3>() + self.tags.memory_bytes()
     }
 
+    /// A mesh of rings that fit each other, with a position each.
+    pub(crate) fn from_parts(rotation: RotationSystem, positions: Vec<DVec3>, tags: Tags) -> Self {
+        Self { rotation, positions, tags }
+    }
+
     pub(crate) fn parts_mut(&mut self) -> (&mut RotationSystem, &mut Vec<DVec3>, &mut Tags) {
         (&mut self.rotation, &mut self.positions, &mut self.tags)
     }

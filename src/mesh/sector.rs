@@ -44,8 +44,19 @@ impl<'a> Sector<'a> {
     /// The number of the neighbour at a slot of the ring, or `None` if it is not between the two sharp edges.
     #[must_use]
     pub fn inner_number(self, slot: usize) -> Option<usize> {
-        let number = if slot >= self.first { slot - self.first } else { slot + self.ring.valence() - self.first };
+        let number = self.steps_to(slot);
         (0 < number && number < self.faces).then_some(number)
+    }
+
+    /// Whether the face behind (counter-clockwise of) a slot of the ring is one of its faces.
+    #[must_use]
+    pub fn has_face(self, slot: usize) -> bool {
+        self.steps_to(slot) < self.faces
+    }
+
+    /// How many slots lie from its first neighbour to a slot.
+    fn steps_to(self, slot: usize) -> usize {
+        if slot >= self.first { slot - self.first } else { slot + self.ring.valence() - self.first }
     }
 }
 
@@ -85,6 +96,8 @@ mod tests {
         assert!(sectors[1].neighbors().eq([ring[2], ring[3], ring[0], ring[1]]));
         assert_eq!([0, 1, 2, 3].map(|slot| sectors[1].inner_number(slot)), [Some(2), None, None, Some(1)]);
         assert_eq!(sectors[0].inner_number(1).or(sectors[0].inner_number(2)), None);
+        assert_eq!([0, 1, 2, 3].map(|slot| sectors[0].has_face(slot)), [false, true, false, false]);
+        assert_eq!([0, 1, 2, 3].map(|slot| sectors[1].has_face(slot)), [true, false, true, true]);
     }
 
     #[test]

@@ -108,6 +108,22 @@ impl History {
         }
     }
 
+    /// The history of a mesh that lies over this one and is split where it is. Of the vertices of this mesh with numbers
+    /// below a bound, `count_below` tells how many vertices lie over them; those have the first numbers. Nothing more is
+    /// kept.
+    pub(crate) fn lifted(&self, count_below: impl Fn(usize) -> usize) -> Self {
+        let starts = self.starts.iter().map(|&start| count_below(start)).collect();
+        Self {
+            starts,
+            max_valence: self.max_valence,
+            kind: self.kind,
+            levels: None,
+            names: None,
+            exactness: None,
+            motions: None,
+        }
+    }
+
     /// How many steps were made.
     #[must_use]
     pub fn step_count(&self) -> usize {

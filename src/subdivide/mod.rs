@@ -152,6 +152,12 @@ impl Subdivider {
         self
     }
 
+    /// The scheme.
+    #[must_use]
+    pub fn scheme(&self) -> &AnyScheme {
+        &self.scheme
+    }
+
     /// Refines the region that the method chooses for a selection.
     ///
     /// # Errors

@@ -125,6 +125,7 @@ pub(crate) struct SelectArguments {
   vv subdivide spot.obj -o fine.obj --scheme loop --levels 3 --method incremental \\
       --select disk:0,4 --report report.json
 
+From OBJ to OBJ texture coordinates, colours, normals, groups, objects and materials are kept.
 Files are written whole or not at all, and none before the last level is made."))]
 pub(crate) struct SubdivideArguments {
     /// Where to write the refined mesh, OBJ or OFF by its ending
@@ -132,6 +133,17 @@ pub(crate) struct SubdivideArguments {
     pub(crate) output: PathBuf,
     #[command(flatten)]
     pub(crate) refine: RefineArguments,
+    /// New texture coordinates: by the scheme, with its boundary rule at seams; the same with straight seams; or half way
+    /// between the old ones [default: scheme]
+    #[arg(long)]
+    pub(crate) uv: Option<TextureName>,
+    /// New vertex colours: by the scheme, half way between the old ones, or the older of two [default: scheme]
+    #[arg(long)]
+    pub(crate) colors: Option<ColorsName>,
+    /// Normals: computed from the faces with the hard edges of the file, of the limit surface of `loop`, or none
+    /// [default: recompute if the file has any and is refined]
+    #[arg(long)]
+    pub(crate) normals: Option<NormalsName>,
     /// Write a report, one row a level
     #[arg(long, value_name = "FILE.json")]
     pub(crate) report: Option<PathBuf>,
@@ -238,6 +250,27 @@ pub(crate) enum BoundaryName {
 pub(crate) enum WeightsName {
     Loop,
     Warren,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum TextureName {
+    Scheme,
+    LinearSeams,
+    Linear,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum ColorsName {
+    Scheme,
+    Linear,
+    Nearest,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum NormalsName {
+    Recompute,
+    Limit,
+    Drop,
 }
 
 /// Names print as they are typed.

@@ -4,10 +4,10 @@ use std::path::Path;
 
 use vvmesh::Mesh;
 use vvmesh::error::BuildError;
-use vvmesh::io::{self, Loaded};
+use vvmesh::io::{self, FaceAttributes, Loaded};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Expression, Selection};
-use vvmesh::soup::FaceList;
+use vvmesh::soup::{FaceList, Triangulation};
 
 use crate::console::{Failure, note, refuse};
 use crate::table::count;
@@ -23,29 +23,40 @@ pub(crate) fn read(path: &Path) -> Result<Loaded, Failure> {
 
 /// Reads a file and makes a mesh of it; polygons are cut into triangles, and that is told.
 pub(crate) fn read_mesh(path: &Path) -> Result<Mesh, Failure> {
-    mesh_of(path, read(path)?.faces)
+    let faces = read(path)?.faces;
+    mesh_of(path, &faces, triangulation(path, &faces)?.as_ref())
 }
 
-/// As [`read_mesh`], for a mesh that is written again: what will be missing there is told.
-pub(crate) fn read_mesh_to_write(path: &Path) -> Result<Mesh, Failure> {
-    let loaded = read(path)?;
-    if !loaded.attributes.is_empty() {
-        note(format_args!(
-            "{}: only positions and faces are written again, not groups, materials, texture coordinates, normals or colours",
-            path.display()
-        ));
-    }
-    mesh_of(path, loaded.faces)
+/// A mesh, and what its file says beside.
+pub(crate) struct Input {
+    pub(crate) mesh: Mesh,
+    /// The triangles in the order of the file, and what it says of them; `None` if it says nothing.
+    pub(crate) said: Option<(FaceList, FaceAttributes)>,
 }
 
-fn mesh_of(path: &Path, faces: FaceList) -> Result<Mesh, Failure> {
-    let refused = |error: &dyn std::fmt::Display| Failure(format!("{}: {error}", path.display()));
+/// As [`read_mesh`], for a mesh that is written again.
+pub(crate) fn read_mesh_with_attributes(path: &Path) -> Result<Input, Failure> {
+    let Loaded { faces, attributes, .. } = read(path)?;
+    let cut = triangulation(path, &faces)?;
+    let mesh = mesh_of(path, &faces, cut.as_ref())?;
+    let said = (!attributes.is_empty()).then(|| match cut {
+        Some(cut) => {
+            let attributes = attributes.of_triangles(&faces, &cut);
+            (FaceList::from_triangles(faces.positions, &cut.triangles), attributes)
+        }
+        None => (faces, attributes),
+    });
+    Ok(Input { mesh, said })
+}
+
+/// The triangles of a list of faces if some are polygons, which is told.
+fn triangulation(path: &Path, faces: &FaceList) -> Result<Option<Triangulation>, Failure> {
     if faces.faces().all(|face| face.len() == 3) {
-        return Mesh::from_face_list(&faces).map_err(|error| refused(&error));
+        return Ok(None);
     }
     // Defects are looked for first, as afterwards the faces have other numbers.
     if let Some(error) = BuildError::from_defects(faces.defects()) {
-        return Err(refused(&error));
+        return refuse(format!("{}: {error}", path.display()));
     }
     let cut = faces.triangulate();
     note(format_args!(
@@ -55,10 +66,18 @@ fn mesh_of(path: &Path, faces: FaceList) -> Result<Mesh, Failure> {
         cut.fanned,
         cut.clipped
     ));
-    let FaceList { positions, .. } = faces;
-    Mesh::from_triangles(positions, &cut.triangles).map_err(|error| {
-        refused(&format_args!("after cutting polygons into triangles, which are counted here: {error}"))
-    })
+    Ok(Some(cut))
+}
+
+fn mesh_of(path: &Path, faces: &FaceList, cut: Option<&Triangulation>) -> Result<Mesh, Failure> {
+    let (mesh, counted) = match cut {
+        None => (Mesh::from_face_list(faces), ""),
+        Some(cut) => (
+            Mesh::from_triangles(faces.positions.clone(), &cut.triangles),
+            "after cutting polygons into triangles, which are counted here: ",
+        ),
+    };
+    mesh.map_err(|error| Failure(format!("{}: {counted}{error}", path.display())))
 }
 
 /// An expression given with an option, and the files that it named.

@@ -4,6 +4,7 @@
 //! It uses the public interface of the library only.
 
 mod args;
+mod attributes;
 mod check;
 mod console;
 mod demo;

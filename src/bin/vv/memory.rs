@@ -10,6 +10,9 @@ use crate::console::{Failure, refuse};
 /// usual and for systems that copy what grows.
 const BYTES_A_FACE: u64 = 96;
 
+/// The same if attributes of every sort ride along.
+const BYTES_A_FACE_WITH_ATTRIBUTES: u64 = 384;
+
 /// Bytes a weight at the peak of a run that makes a matrix. It takes 12; up to 26 were measured, where rows of limit
 /// positions are made of those of vertices; the rest is for systems that copy what grows.
 const BYTES_A_WEIGHT: f64 = 32.0;
@@ -27,6 +30,11 @@ impl FaceLimit {
     /// The number that the user gave, else what fits the memory that is free now.
     pub(crate) fn new(given: Option<u64>) -> Self {
         Self::of(given, BYTES_A_FACE)
+    }
+
+    /// The same if attributes ride along.
+    pub(crate) fn with_attributes(given: Option<u64>) -> Self {
+        Self::of(given, BYTES_A_FACE_WITH_ATTRIBUTES)
     }
 
     /// The same if the matrix of the refinement of a mesh is made, too.

@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use vvmesh::Mesh;
+use vvmesh::attributes::ObjAttributes;
 use vvmesh::certify::Certificate;
 use vvmesh::error::RefineError;
 use vvmesh::scratch::Scratch;
@@ -20,6 +21,8 @@ pub(crate) struct Run {
     pub(crate) selection: Selection,
     pub(crate) scratch: Scratch,
     pub(crate) levels: Vec<Row>,
+    /// What the file says of the faces, if it is written again.
+    pub(crate) attributes: Option<ObjAttributes>,
     subdivider: Subdivider,
 }
 
@@ -27,14 +30,17 @@ impl Run {
     pub(crate) fn new(mesh: Mesh, subdivider: Subdivider, keep: Keep) -> Self {
         let history = History::new(&mesh, keep);
         let (selection, scratch, levels) = (Selection::empty(), Scratch::new(), Vec::new());
-        Self { mesh, history, selection, scratch, levels, subdivider }
+        Self { mesh, history, selection, scratch, levels, attributes: None, subdivider }
     }
 
     /// Makes one step for the selection, which then is the one that follows.
     pub(crate) fn step(&mut self, control: &mut Control<'_>) -> Result<Step, RefineError> {
         let started = Instant::now();
-        let step =
-            self.subdivider.step(&mut self.mesh, &mut self.history, &self.selection, &mut self.scratch, control)?;
+        let Self { mesh, history, selection, scratch, subdivider, .. } = self;
+        let step = match &mut self.attributes {
+            Some(attributes) => attributes.step(subdivider, mesh, history, selection, scratch, control)?,
+            None => subdivider.step(mesh, history, selection, scratch, control)?,
+        };
         let seconds = started.elapsed().as_secs_f64();
         let sizes = self.sizes();
         self.levels.push(Row {

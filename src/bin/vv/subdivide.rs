@@ -4,15 +4,17 @@ use std::fmt::Display;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use vvmesh::io::{save, write_atomically};
+use vvmesh::VertexId;
+use vvmesh::io::write_atomically;
 use vvmesh::limit::LoopLimit;
 use vvmesh::scheme::LoopWeights;
 use vvmesh::step::Keep;
-use vvmesh::{Mesh, VertexId};
 
 use crate::Outcome;
 use crate::args::{BoundaryName, MethodName, SubdivideArguments};
+use crate::attributes::{self, Finished};
 use crate::console::{Failure, json, print, refuse};
+use crate::input::Input;
 use crate::memory::FaceLimit;
 use crate::outputs::{self, Named, OUT};
 use crate::progress::Bar;
@@ -28,18 +30,26 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let (subdivider, selecting) = refine::prepare(asked)?;
     check_outputs(arguments, &selecting)?;
 
-    let mesh = input::read_mesh_to_write(&asked.mesh)?;
-    let limit = FaceLimit::new(asked.max_faces);
+    let Input { mesh, said } = input::read_mesh_with_attributes(&asked.mesh)?;
+    let said = attributes::to_take_along(arguments, &mesh, said)?;
+    let limit = match said {
+        Some(_) => FaceLimit::with_attributes(asked.max_faces),
+        None => FaceLimit::new(asked.max_faces),
+    };
     let mut run = refine::begin(mesh, asked, subdivider, &selecting, keep(arguments), limit)?;
+    if let Some((triangles, said)) = said {
+        run.attributes = Some(attributes::take_along(arguments, &run, &triangles, said)?);
+    }
     let input = run.sizes();
     refine::refine(&mut run, asked, &selecting, limit, None, &mut bar)?;
     if asked.limit {
-        move_to_limit(&mut run.mesh, refine::weights(asked))?;
+        move_to_limit(&mut run, refine::weights(asked))?;
     }
 
     let report = report(arguments, &run, input);
     bar.show_stage(format!("writing {}", arguments.output.display()));
-    let written = write(arguments, &run, &report);
+    let attributes = run.attributes.take();
+    let written = write(arguments, &run, &Finished::new(&run.mesh, attributes), &report);
     bar.hide();
     written?;
     if arguments.json {
@@ -55,6 +65,7 @@ fn check_outputs(arguments: &SubdivideArguments, selecting: &Selecting) -> Resul
         path.map(|path| (option, path.as_path()))
     }
     outputs::check_mesh(&arguments.output)?;
+    attributes::refuse_without_meaning(arguments)?;
     let optional = [
         named(OUT, Some(&arguments.output)),
         named("--report", arguments.report.as_ref()),
@@ -78,15 +89,19 @@ fn keep(arguments: &SubdivideArguments) -> Keep {
 }
 
 /// Moves every vertex to where infinitely many steps would bring it.
-fn move_to_limit(mesh: &mut Mesh, weights: LoopWeights) -> Result<(), Failure> {
-    let positions = LoopLimit::new(weights).positions(mesh);
+fn move_to_limit(run: &mut Run, weights: LoopWeights) -> Result<(), Failure> {
+    let limit = LoopLimit::new(weights);
+    let positions = limit.positions(&run.mesh);
     if let Some(k) = positions.iter().position(|position| !position.is_finite()) {
         return refuse(format!(
             "--limit: the limit of {} is not finite; scale the mesh down. Nothing was written",
             VertexId::new(k)
         ));
     }
-    mesh.positions_mut().copy_from_slice(&positions);
+    if let Some(attributes) = &mut run.attributes {
+        attributes.move_to_limit(&run.mesh, limit);
+    }
+    run.mesh.positions_mut().copy_from_slice(&positions);
     Ok(())
 }
 
@@ -111,18 +126,18 @@ fn report(arguments: &SubdivideArguments, run: &Run, input: Sizes) -> Report {
 }
 
 /// Writes what was asked for, the mesh last: when it is there, everything is.
-fn write(arguments: &SubdivideArguments, run: &Run, report: &Report) -> Result<(), Failure> {
+fn write(arguments: &SubdivideArguments, run: &Run, finished: &Finished<'_>, report: &Report) -> Result<(), Failure> {
     if let Some(path) = &arguments.vertex_table {
         write_atomically(path, |out| tsv::vertices(run, out))?;
     }
     if let Some(path) = &arguments.face_table {
-        write_atomically(path, |out| tsv::faces(run, out))?;
+        write_atomically(path, |out| tsv::faces(run, finished.triangles(), out))?;
     }
     if let Some(path) = &arguments.report {
         let text = json(report)?;
         write_atomically(path, |out| out.write_all(text.as_bytes()))?;
     }
-    save(&arguments.output, &run.mesh)?;
+    finished.save(&arguments.output)?;
     Ok(())
 }
 

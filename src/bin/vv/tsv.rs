@@ -2,9 +2,9 @@
 
 use std::io::{self, Write};
 
-use vvmesh::Edge;
 use vvmesh::certify::Certificate;
 use vvmesh::step::SplitKind;
+use vvmesh::{Edge, Triangle};
 
 use crate::run::Run;
 
@@ -33,15 +33,15 @@ pub(crate) fn vertices(run: &Run, out: &mut impl Write) -> io::Result<()> {
 ///
 /// The kind is `regular`, or `closure` of what closes a crack; under √3 `even`, or `odd` of what comes before an edge is turned.
 ///
-/// The run keeps names.
-pub(crate) fn faces(run: &Run, out: &mut impl Write) -> io::Result<()> {
+/// The run keeps names; `triangles` are those of its mesh.
+pub(crate) fn faces(run: &Run, triangles: impl IntoIterator<Item = Triangle>, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "id\tlevel\tkind\tselected")?;
     let closing: Vec<Edge> = run.history.closing_edges(&run.mesh).unwrap_or_default();
     let mut selected = vec![false; run.mesh.vertex_count()];
     for v in run.selection.vertices() {
         selected[v.index()] = true;
     }
-    for (id, triangle) in run.mesh.triangles().enumerate() {
+    for (id, triangle) in triangles.into_iter().enumerate() {
         let (level, closes) = run.history.face_level(triangle, &closing).unwrap_or((0, false));
         let kind = match run.history.split_kind() {
             Some(SplitKind::Trisect) if run.history.generation(triangle).is_some_and(|made| made % 2 == 1) => "odd",

@@ -1,0 +1,185 @@
+//! What an OBJ file says of its faces, from the file through refinement to the file.
+
+use std::path::Path;
+
+use vvmesh::attributes::{Blend, LeftOut, Normals, ObjAttributes, ObjRules, Seams};
+use vvmesh::error::WriteError;
+use vvmesh::io::{FaceAttributes, Format, save, save_with};
+use vvmesh::limit::LoopLimit;
+use vvmesh::soup::FaceList;
+use vvmesh::step::SplitKind;
+use vvmesh::{Mesh, Triangle, VertexId};
+
+use crate::args::{ColorsName, NormalsName, SchemeName, SubdivideArguments, TextureName};
+use crate::console::{Failure, note, refuse};
+use crate::refine;
+use crate::run::Run;
+use crate::table::count;
+
+/// Refuses options that the output or the scheme give no meaning.
+pub(crate) fn refuse_without_meaning(arguments: &SubdivideArguments) -> Result<(), Failure> {
+    let given = [
+        ("--uv", arguments.uv.is_some()),
+        ("--colors", arguments.colors.is_some()),
+        ("--normals", arguments.normals.is_some()),
+    ];
+    let is_obj = Format::from_ending(&arguments.output) == Some(Format::Obj);
+    if let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given && !is_obj) {
+        let output = arguments.output.display();
+        return refuse(format!("{option} has no meaning with -o {output}: only OBJ is written with it; leave it out"));
+    }
+    let scheme = arguments.refine.scheme;
+    if arguments.normals == Some(NormalsName::Limit) && scheme != SchemeName::Loop {
+        return refuse(format!(
+            "--normals limit has no meaning with --scheme {scheme}: limit normals are known for `loop` only; leave it out"
+        ));
+    }
+    Ok(())
+}
+
+/// What rides along of what a file says, if anything does; what does not is told.
+pub(crate) fn to_take_along(
+    arguments: &SubdivideArguments,
+    mesh: &Mesh,
+    said: Option<(FaceList, FaceAttributes)>,
+) -> Result<Option<(FaceList, FaceAttributes)>, Failure> {
+    let path = arguments.refine.mesh.display();
+    if Format::from_ending(&arguments.output) != Some(Format::Obj) {
+        if said.is_some() {
+            note(format_args!(
+                "{path}: only positions and faces are written again, not groups, materials, texture coordinates, normals \
+                 or colours: OFF has no place for them"
+            ));
+        }
+        return Ok(None);
+    }
+    let nothing = FaceAttributes::default();
+    let words = said.as_ref().map_or(&nothing, |(_, said)| said);
+    let missing = [
+        ("--uv", arguments.uv.is_some() && words.texture_coordinates.is_empty(), "texture coordinates"),
+        ("--colors", arguments.colors.is_some() && words.vertex_colors.is_empty(), "colours"),
+        ("--normals drop", arguments.normals == Some(NormalsName::Drop) && words.normals.is_empty(), "normals"),
+    ];
+    if let Some((option, _, what)) = missing.iter().find(|(_, is_missing, _)| *is_missing) {
+        return refuse(format!("{option} has no meaning with {path}: it has no {what}; leave it out"));
+    }
+    let is_cut_in_four = refine::scheme(&arguments.refine).split_kind() == SplitKind::Quadrisect;
+    Ok(match said {
+        Some((triangles, said)) if !is_cut_in_four && arguments.refine.levels > 0 => {
+            Some((triangles, without_faces(arguments, said)?))
+        }
+        None if arguments.normals.is_some() => Some((mesh.to_face_list(), nothing)),
+        said => said,
+    })
+}
+
+/// What rides along with a scheme whose faces do not lie in those of the step before: colours.
+fn without_faces(arguments: &SubdivideArguments, said: FaceAttributes) -> Result<FaceAttributes, Failure> {
+    let scheme = arguments.refine.scheme;
+    if arguments.uv.is_some() {
+        return refuse(format!(
+            "--uv has no meaning with --scheme {scheme}: it does not take texture coordinates along; leave it out"
+        ));
+    }
+    let mut kept = FaceAttributes::default();
+    kept.vertex_colors.clone_from(&said.vertex_colors);
+    if said != kept {
+        note(format_args!(
+            "{}: groups, objects, materials, texture coordinates and normals are lost: --scheme {scheme} does not take \
+             them along; --normals recompute makes new ones",
+            arguments.refine.mesh.display()
+        ));
+    }
+    Ok(kept)
+}
+
+/// Ready to ride along with a run.
+pub(crate) fn take_along(
+    arguments: &SubdivideArguments,
+    run: &Run,
+    triangles: &FaceList,
+    said: FaceAttributes,
+) -> Result<ObjAttributes, Failure> {
+    let (texture, seams) = match arguments.uv {
+        None | Some(TextureName::Scheme) => (Blend::Scheme, Seams::Scheme),
+        Some(TextureName::LinearSeams) => (Blend::Scheme, Seams::Linear),
+        Some(TextureName::Linear) => (Blend::Linear, Seams::Linear),
+    };
+    let colors = match arguments.colors {
+        None | Some(ColorsName::Scheme) => Blend::Scheme,
+        Some(ColorsName::Linear) => Blend::Linear,
+        Some(ColorsName::Nearest) => Blend::Nearest,
+    };
+    let limit = LoopLimit::new(refine::weights(&arguments.refine));
+    let normals = match arguments.normals {
+        None => Normals::Keep,
+        Some(NormalsName::Recompute) => Normals::Recompute,
+        Some(NormalsName::Limit) => Normals::Limit(limit),
+        Some(NormalsName::Drop) => Normals::Drop,
+    };
+    let are_replaced = normals == Normals::Keep && !said.normals.is_empty();
+    let rules = ObjRules { texture, seams, colors, normals };
+    let attributes = ObjAttributes::new(&run.mesh, &run.history, triangles, said, rules)?;
+    if arguments.refine.levels > 0 || arguments.refine.limit {
+        let path = &arguments.refine.mesh;
+        tell(path, attributes.left_out());
+        if are_replaced {
+            note(format_args!("{}: normals are computed anew from the refined faces, see --normals", path.display()));
+        }
+    }
+    Ok(attributes)
+}
+
+fn tell(path: &Path, left_out: LeftOut) {
+    let LeftOut { partly_textured, partly_normal, unused_texture, uncolored } = left_out;
+    let triangles = |number| count(number, "triangle", "triangles");
+    let told = [
+        (
+            partly_textured,
+            format!("texture coordinates of {} lost, as some corners have none", triangles(partly_textured)),
+        ),
+        (partly_normal, format!("normals of {} lost, as some corners have none", triangles(partly_normal))),
+        (
+            unused_texture,
+            format!("{} lost", count(unused_texture, "unused texture coordinate", "unused texture coordinates")),
+        ),
+        (
+            uncolored,
+            format!("{} no colour, nor has what is made of them", count(uncolored, "vertex has", "vertices have")),
+        ),
+    ];
+    for (_, text) in told.iter().filter(|(number, _)| *number > 0) {
+        note(format_args!("{}: {text}", path.display()));
+    }
+}
+
+/// The refined mesh as it is written.
+pub(crate) struct Finished<'a> {
+    mesh: &'a Mesh,
+    /// Its faces with what is said of them, if anything is.
+    with: Option<(FaceList, FaceAttributes)>,
+}
+
+impl<'a> Finished<'a> {
+    pub(crate) fn new(mesh: &'a Mesh, attributes: Option<ObjAttributes>) -> Self {
+        Self { mesh, with: attributes.map(|attributes| attributes.finish(mesh)) }
+    }
+
+    /// The faces in the order of the output.
+    pub(crate) fn triangles(&self) -> Box<dyn Iterator<Item = Triangle> + '_> {
+        match &self.with {
+            None => Box::new(self.mesh.triangles()),
+            Some((faces, _)) => Box::new(faces.faces().map(|face| {
+                let [a, b, c] = [face[0], face[1], face[2]].map(|v| VertexId::new(v as usize));
+                Triangle::new(a, b, c)
+            })),
+        }
+    }
+
+    pub(crate) fn save(&self, path: &Path) -> Result<(), WriteError> {
+        match &self.with {
+            None => save(path, self.mesh),
+            Some((faces, said)) => save_with(path, faces, said),
+        }
+    }
+}
