@@ -15,7 +15,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use vvmesh::adaptive::Uniform;
 use vvmesh::check::{conformity, mesh_conformity};
 use vvmesh::glam::DVec3;
-use vvmesh::limit::LoopLimit;
+use vvmesh::limit::{Limit, LoopLimit};
 use vvmesh::scheme::{AnyScheme, Butterfly, Loop, Midpoint, ModifiedButterfly};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Dihedral, Selection, Sphere};

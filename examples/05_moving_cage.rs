@@ -41,8 +41,8 @@ pub fn run(out: &mut dyn Write) -> Result<(), Box<dyn Error>> {
         weights.nonzero_count(),
         weights.memory_bytes()
     )?;
-    let limit = matrix.limit(&mesh, LoopLimit::default());
-    let tangents = matrix.tangents(&mesh, LoopLimit::default());
+    let limit = matrix.limit(&mesh, &LoopLimit::default());
+    let tangents = matrix.tangents(&mesh, &LoopLimit::default());
     for frame in 0..4 {
         let twist = |p: &DVec3| DMat3::from_rotation_z(0.2 * f64::from(frame) * p.z) * *p;
         let moved: Vec<DVec3> = rest.iter().map(twist).collect();

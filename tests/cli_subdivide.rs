@@ -11,7 +11,7 @@ use serde_json::Value;
 use vvmesh::adaptive::{Incremental, Uniform};
 use vvmesh::certify::Certificate;
 use vvmesh::glam::DVec3;
-use vvmesh::limit::LoopLimit;
+use vvmesh::limit::{Limit, LoopLimit};
 use vvmesh::scheme::{Loop, LoopWeights};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Disk, Selection};

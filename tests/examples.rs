@@ -24,6 +24,7 @@ examples! {
     paths, "../examples/04_paths.rs", "1 component";
     cage, "../examples/05_moving_cage.rs", "frame 3: ";
     texture, "../examples/06_texture_coordinates.rs", "5 of 5 vertices on the seam";
+    limit, "../examples/07_limit.rs", "from its first corner";
 }
 
 #[test]

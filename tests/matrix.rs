@@ -13,7 +13,7 @@ use common::random::{Closed, Picks, Random, Surface, WithBoundary, check};
 use common::run::schemes;
 use vvmesh::adaptive::{Incremental, Simple, Uniform};
 use vvmesh::glam::DVec3;
-use vvmesh::limit::LoopLimit;
+use vvmesh::limit::{Limit, LoopLimit};
 use vvmesh::matrix::{SubdivisionMatrix, WeightMatrix};
 use vvmesh::scheme::{AnyScheme, Loop, LoopWeights};
 use vvmesh::scratch::Scratch;
@@ -125,7 +125,7 @@ fn limit_rows_are_those_of_the_refined_mesh<S: Surface>(surface: S, picks: Picks
         let subdivider = Subdivider::new(Loop::new(weights), Incremental::new(1).unwrap());
         for levels in 0..3 {
             let (mesh, matrix) = refine(&input, &subdivider, &picks.patch(&input), levels);
-            let rows = matrix.limit(&mesh, limit);
+            let rows = matrix.limit(&mesh, &limit);
             assert_near(&rows.apply(input.positions()), &limit.positions(&mesh), "limits");
             assert_sums(&rows, 1.0, levels + 1, "limits");
             normals_are_those_of_the_limit(&input, &mesh, &matrix, limit);
@@ -140,7 +140,7 @@ fn limits_and_normals_are_rows_too() {
 }
 
 fn normals_are_those_of_the_limit(input: &Mesh, mesh: &Mesh, matrix: &SubdivisionMatrix, limit: LoopLimit) {
-    let rows = matrix.tangents(mesh, limit);
+    let rows = matrix.tangents(mesh, &limit);
     for tangents in rows.tangents() {
         assert_sums(tangents, 0.0, 8, "tangents");
     }
@@ -160,7 +160,7 @@ fn normals_are_those_of_the_limit(input: &Mesh, mesh: &Mesh, matrix: &Subdivisio
 fn a_flat_or_vanishing_star_has_no_normal() {
     let mesh = shapes::octahedron();
     let matrix = SubdivisionMatrix::new(&mesh);
-    let rows = matrix.tangents(&mesh, LoopLimit::default());
+    let rows = matrix.tangents(&mesh, &LoopLimit::default());
     assert_eq!(rows.normals(&[DVec3::ONE; 6]), [None; 6]);
     let line: Vec<DVec3> = (0..6).map(|k| DVec3::new(0.1, 0.2, 0.3) * f64::from(k)).collect();
     assert_eq!(rows.normals(&line), [None; 6]);
@@ -185,7 +185,7 @@ fn a_regular_step_has_the_known_entries() {
 #[test]
 fn nothing_is_pruned() {
     let torus = shapes::torus(9, 6, 2.0, 1.0);
-    let rows = SubdivisionMatrix::new(&torus).tangents(&torus, LoopLimit::default());
+    let rows = SubdivisionMatrix::new(&torus).tangents(&torus, &LoopLimit::default());
     let [_, second] = rows.tangents();
     for v in 0..54 {
         assert_eq!(second.row(v).len(), 6);

@@ -19,7 +19,7 @@ use rayon::ThreadPoolBuilder;
 use vvmesh::adaptive::Uniform;
 use vvmesh::check::{FindingKind, conformity, mesh_conformity};
 use vvmesh::glam::DVec3;
-use vvmesh::limit::LoopLimit;
+use vvmesh::limit::{Limit, LoopLimit};
 use vvmesh::query::measure::dihedral_angle_rad;
 use vvmesh::scheme::{AnyScheme, LoopWeights, Midpoint};
 use vvmesh::scratch::Scratch;

@@ -3,7 +3,7 @@
 use super::channel::Channel;
 use super::{Seams, Splits};
 use crate::id::{Edge, VertexId};
-use crate::limit::LoopLimit;
+use crate::limit::Limit;
 use crate::mesh::{Mesh, Neighborhood, Tags};
 use crate::rotation::{Hubs, RingBuf, RotationSystem};
 use crate::scheme::{AnyScheme, Mask, Midpoint, Scheme, with_scheme};
@@ -195,7 +195,7 @@ impl Chart {
     }
 
     /// Puts the values where infinitely many steps of Loop's scheme would.
-    pub(super) fn move_to_limit(&self, limit: LoopLimit, channel: &mut Channel, seams: Seams) {
+    pub(super) fn move_to_limit(&self, limit: &impl Limit, channel: &mut Channel, seams: Seams) {
         let around = Neighborhood::new(&self.rotation, &self.tags);
         let moved = self.rotation.vertices().filter(|&v| self.moves(v, seams));
         channel.move_by(moved, |v, mask| limit.mask(around, v, mask));

@@ -16,7 +16,7 @@
 //! Read in this order: [`Channel`], [`Blend`], [`Attributes`], [`ObjAttributes`] (the same for what an OBJ file says).
 //!
 //! **Deliberately not here**: normals as values. Those of a refined surface are no blend of the old ones; they are computed
-//! anew, see [`Normals`].
+//! anew, see [`NormalRule`].
 
 mod channel;
 mod chart;
@@ -25,7 +25,7 @@ mod normals;
 mod obj;
 
 pub use channel::{Blend, Channel};
-pub use normals::Normals;
+pub use normals::NormalRule;
 pub use obj::{LeftOut, ObjAttributes, ObjRules};
 
 use chart::Chart;
@@ -34,7 +34,7 @@ use labels::{Ancestry, FaceLabels};
 
 use crate::error::{ConfigError, RefineError};
 use crate::id::VertexId;
-use crate::limit::LoopLimit;
+use crate::limit::Limit;
 use crate::mesh::Mesh;
 use crate::scratch::Scratch;
 use crate::select::Selection;
@@ -246,10 +246,10 @@ impl Attributes {
         Ok(step)
     }
 
-    /// Puts the values of channels that follow the scheme where infinitely many steps of [`Loop`](crate::scheme::Loop) would.
+    /// Puts the values of channels that follow the scheme where infinitely many steps of a scheme would.
     ///
     /// `mesh` has its rings and tags as they are after the last step.
-    pub fn move_to_limit(&mut self, mesh: &Mesh, limit: LoopLimit) {
+    pub fn move_to_limit(&mut self, mesh: &Mesh, limit: &impl Limit) {
         let around = mesh.neighborhood();
         for channel in &mut self.vertex {
             channel.move_by(mesh.vertices(), |v, mask| limit.mask(around, v, mask));

@@ -4,21 +4,21 @@ use glam::DVec3;
 
 use super::chart::Chart;
 use crate::id::VertexId;
-use crate::limit::LoopLimit;
-use crate::mesh::{Mesh, VertexClass};
+use crate::limit::{AnyLimit, Limit, Normals};
+use crate::mesh::Mesh;
 use crate::query::measure::{NormalWeight, vertex_normal};
 
 /// What becomes of the normals that a file has.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Normals {
-    /// They stay until the mesh is refined; then it is [`Normals::Recompute`], if there were any.
+pub enum NormalRule {
+    /// They stay until the mesh is refined; then it is [`NormalRule::Recompute`], if there were any.
     #[default]
     Keep,
     /// The mean of the faces around each vertex, weighted by their angles. Where the normals of the file differed on the two
     /// sides of an edge, the edge is hard: the faces on each side are taken by themselves.
     Recompute,
-    /// The normals of the limit surface of Loop's scheme, which differ on the two sides of sharp edges.
-    Limit(LoopLimit),
+    /// The normals of the limit surface of a scheme, which differ on the two sides of sharp edges.
+    Limit(AnyLimit),
     /// There are none.
     Drop,
 }
@@ -31,7 +31,7 @@ pub(super) struct CornerNormals {
 }
 
 impl CornerNormals {
-    /// [`Normals::Recompute`]: one for each vertex of the chart mesh whose boundaries are the hard edges; without one there
+    /// [`NormalRule::Recompute`]: one for each vertex of the chart mesh whose boundaries are the hard edges; without one there
     /// are none.
     pub(super) fn recomputed(mesh: &Mesh, chart: Option<&Chart>, faces: &[[VertexId; 3]]) -> Self {
         let weight = NormalWeight::default();
@@ -61,46 +61,32 @@ impl CornerNormals {
     }
 }
 
-/// [`Normals::Limit`]: one for each side of each vertex.
+/// [`NormalRule::Limit`]: one for each side of each vertex.
 #[derive(Clone, Debug)]
 pub(super) struct SideNormals {
-    values: Vec<DVec3>,
-    /// Of all sides, those of one vertex after those of another; `None` where none is defined.
-    numbers: Vec<Option<u32>>,
-    /// Where the sides of each vertex start.
-    first_side: Vec<usize>,
+    limit: AnyLimit,
+    normals: Normals,
 }
 
 impl SideNormals {
     /// Those of the limit of a mesh.
-    pub(super) fn new(mesh: &Mesh, limit: LoopLimit) -> Self {
-        let around = mesh.neighborhood();
-        let mut sides = Self { values: Vec::new(), numbers: Vec::new(), first_side: Vec::new() };
-        for v in mesh.vertices() {
-            sides.first_side.push(sides.numbers.len());
-            for side in 0..limit.side_count(around, v) {
-                let normal = limit.normal(mesh, v, side);
-                sides.numbers.push(normal.map(|_| sides.values.len() as u32));
-                sides.values.extend(normal);
-            }
-        }
-        sides
+    pub(super) fn new(mesh: &Mesh, limit: AnyLimit) -> Self {
+        Self { limit, normals: limit.normals(mesh) }
     }
 
     /// Those at the corners of faces.
-    pub(super) fn at_corners(self, mesh: &Mesh, faces: &[[VertexId; 3]]) -> CornerNormals {
+    pub(super) fn at_corners(&self, mesh: &Mesh, faces: &[[VertexId; 3]]) -> CornerNormals {
+        let mut normals = CornerNormals::default();
+        let number_of: Vec<_> =
+            mesh.vertices().flat_map(|v| self.normals.of(v)).map(|&normal| normals.push(normal)).collect();
         let around = mesh.neighborhood();
-        let side = |v: VertexId, next: VertexId| match around.class(v) {
-            VertexClass::Smooth | VertexClass::Dart => Some(0),
-            VertexClass::Crease | VertexClass::Corner => {
-                let slot = around.slot_of(v, next)?;
-                around.sectors(v).position(|sector| sector.has_face(slot))
-            }
+        let number = |(v, next): (VertexId, VertexId)| {
+            let places = self.normals.places(v);
+            let side = if places.len() == 1 { 0 } else { self.limit.side_at(around, v, around.slot_of(v, next)?)? };
+            number_of[places.start + side]
         };
         let directed = faces.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
-        let number = |(v, next): (VertexId, VertexId)| {
-            self.numbers.get(self.first_side[v.index()] + side(v, next)?).copied().flatten()
-        };
-        CornerNormals { corners: directed.map(number).collect(), values: self.values }
+        normals.corners.extend(directed.map(number));
+        normals
     }
 }

@@ -3,11 +3,11 @@
 use std::collections::HashMap;
 
 use super::normals::{CornerNormals, SideNormals};
-use super::{Attributes, Blend, Channel, Normals, Seams};
+use super::{Attributes, Blend, Channel, NormalRule, Seams};
 use crate::error::{ConfigError, RefineError};
 use crate::id::VertexId;
 use crate::io::{FaceAttributes, NO_INDEX};
-use crate::limit::LoopLimit;
+use crate::limit::Limit;
 use crate::mesh::Mesh;
 use crate::scratch::Scratch;
 use crate::select::Selection;
@@ -30,7 +30,7 @@ pub struct ObjRules {
     /// Colours of vertices.
     pub colors: Blend,
     /// Normals (`vn`).
-    pub normals: Normals,
+    pub normals: NormalRule,
 }
 
 /// What an OBJ file says of the faces of a mesh, on its way through refinement; see the [module](super).
@@ -69,7 +69,7 @@ pub struct ObjAttributes {
     triangles: FaceList,
     /// What it said of them.
     said: FaceAttributes,
-    normals: Normals,
+    normals: NormalRule,
     attributes: Attributes,
     /// The limit normals, once the positions are at the limit.
     sides: Option<SideNormals>,
@@ -111,7 +111,7 @@ impl ObjAttributes {
             let values = values_at(&corners, &said.texture_indices, &said.texture_coordinates);
             attributes.add_corner_channel(mesh, history, &channel, &values, rules.seams)?;
         }
-        if !said.normal_indices.is_empty() && matches!(rules.normals, Normals::Keep | Normals::Recompute) {
+        if !said.normal_indices.is_empty() && matches!(rules.normals, NormalRule::Keep | NormalRule::Recompute) {
             let normals: Vec<[f64; 3]> = said.normals.iter().map(|normal| normal.to_array()).collect();
             let values = values_at(&corners, &said.normal_indices, &normals);
             // Only its chart is of use.
@@ -159,6 +159,12 @@ impl ObjAttributes {
         }
     }
 
+    /// Whether normals of the file give way to others as soon as the mesh changes.
+    #[must_use]
+    pub fn replaces_normals(&self) -> bool {
+        self.normals == NormalRule::Keep && !self.said.normals.is_empty()
+    }
+
     /// Makes a step, and takes everything along: see [`Attributes::step`].
     ///
     /// # Errors
@@ -179,9 +185,9 @@ impl ObjAttributes {
 
     /// Puts values where infinitely many steps would: see [`Attributes::move_to_limit`]. To be called before the positions
     /// of the mesh are put there: limit normals follow from those before.
-    pub fn move_to_limit(&mut self, mesh: &Mesh, limit: LoopLimit) {
+    pub fn move_to_limit(&mut self, mesh: &Mesh, limit: &impl Limit) {
         self.attributes.move_to_limit(mesh, limit);
-        if let Normals::Limit(limit) = self.normals {
+        if let NormalRule::Limit(limit) = self.normals {
             self.sides = Some(SideNormals::new(mesh, limit));
         }
         self.is_refined = true;
@@ -198,13 +204,20 @@ impl ObjAttributes {
             faces.faces().map(|face| [0, 1, 2].map(|k| VertexId::new(face[k] as usize))).collect();
         let chart = self.attributes.corner_channel(NORMAL).map(|channel| &channel.chart);
         let normals = match self.normals {
-            Normals::Keep if !self.is_refined => return (faces, said),
-            Normals::Keep if chart.is_none() => CornerNormals::default(),
-            Normals::Keep | Normals::Recompute => CornerNormals::recomputed(mesh, chart, &ids),
-            Normals::Limit(limit) => self.sides.unwrap_or_else(|| SideNormals::new(mesh, limit)).at_corners(mesh, &ids),
-            Normals::Drop => CornerNormals::default(),
+            NormalRule::Keep if !self.is_refined => return (faces, said),
+            NormalRule::Keep if chart.is_none() => CornerNormals::default(),
+            NormalRule::Keep | NormalRule::Recompute => CornerNormals::recomputed(mesh, chart, &ids),
+            NormalRule::Limit(limit) => {
+                self.sides.unwrap_or_else(|| SideNormals::new(mesh, limit)).at_corners(mesh, &ids)
+            }
+            NormalRule::Drop => CornerNormals::default(),
         };
-        let normal_indices = normals.corners.into_iter().map(|number| number.unwrap_or(NO_INDEX)).collect();
+        // In OBJ all corners of a face have a normal, or none has.
+        let whole = |corners: &[Option<u32>]| {
+            let all = corners.iter().all(Option::is_some);
+            [0, 1, 2].map(|k| corners[k].filter(|_| all).unwrap_or(NO_INDEX))
+        };
+        let normal_indices = normals.corners.chunks(3).flat_map(whole).collect();
         (faces, FaceAttributes { normals: normals.values, normal_indices, ..said })
     }
 

@@ -14,7 +14,7 @@ mod weights;
 pub use tangents::TangentRows;
 pub use weights::WeightMatrix;
 
-use crate::limit::LoopLimit;
+use crate::limit::Limit;
 use crate::mesh::Mesh;
 use crate::scheme::Mask;
 use crate::subdivide::{Follower, StepMasks};
@@ -76,7 +76,7 @@ impl SubdivisionMatrix {
     /// # Panics
     /// If the mesh is not the one that was followed: it has not as many vertices as there are rows.
     #[must_use]
-    pub fn limit(&self, mesh: &Mesh, limit: LoopLimit) -> WeightMatrix {
+    pub fn limit(&self, mesh: &Mesh, limit: &impl Limit) -> WeightMatrix {
         self.assert_followed(mesh);
         let mut rows = Rows::of(&self.weights);
         let mut mask = Mask::default();
@@ -93,7 +93,7 @@ impl SubdivisionMatrix {
     /// # Panics
     /// If the mesh is not the one that was followed: it has not as many vertices as there are rows.
     #[must_use]
-    pub fn tangents(&self, mesh: &Mesh, limit: LoopLimit) -> TangentRows {
+    pub fn tangents(&self, mesh: &Mesh, limit: &impl Limit) -> TangentRows {
         self.assert_followed(mesh);
         TangentRows::of(&self.weights, mesh, limit)
     }

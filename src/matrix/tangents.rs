@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::weights::{Rows, WeightMatrix};
 use crate::id::VertexId;
-use crate::limit::LoopLimit;
+use crate::limit::Limit;
 use crate::mesh::Mesh;
 use crate::parallel;
 use crate::scheme::Mask;
@@ -15,7 +15,7 @@ const FLAT: f64 = 1e-12;
 
 /// Two tangents for every side of every vertex, as rows of weights that add to 0.
 ///
-/// A side is one of those that [`LoopLimit`] gives a vertex: one for each tangent plane. Isolated vertices have none.
+/// A side is one of those that a [`Limit`] gives a vertex: one for each tangent plane. Isolated vertices have none.
 #[derive(Clone, PartialEq, Debug)]
 pub struct TangentRows {
     sides: Vec<(VertexId, usize)>,
@@ -23,18 +23,21 @@ pub struct TangentRows {
 }
 
 impl TangentRows {
-    pub(super) fn of(weights: &WeightMatrix, mesh: &Mesh, limit: LoopLimit) -> Self {
+    pub(super) fn of(weights: &WeightMatrix, mesh: &Mesh, limit: &impl Limit) -> Self {
         let around = mesh.neighborhood();
-        let sides: Vec<_> =
-            mesh.vertices().flat_map(|v| (0..limit.side_count(around, v)).map(move |side| (v, side))).collect();
+        let mut sides = Vec::new();
         let [mut first, mut second] = [Rows::of(weights), Rows::of(weights)];
         let [mut along, mut across] = [Mask::default(), Mask::default()];
-        for &(v, side) in &sides {
-            along.clear();
-            across.clear();
-            limit.tangent_masks(around, v, side, &mut along, &mut across);
-            first.push(&along);
-            second.push(&across);
+        for v in mesh.vertices() {
+            for side in 0..limit.side_count(around, v) {
+                along.clear();
+                across.clear();
+                if limit.tangent_masks(around, v, side, &mut along, &mut across) {
+                    sides.push((v, side));
+                    first.push(&along);
+                    second.push(&across);
+                }
+            }
         }
         Self { sides, tangents: [first.finish(), second.finish()] }
     }

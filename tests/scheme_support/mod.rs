@@ -1,5 +1,7 @@
 //! Meshes out of scripts, and masks applied to positions.
 
+#![allow(dead_code, reason = "not every test file uses all of it")]
+
 use vvmesh::glam::DVec3;
 use vvmesh::scheme::{Mask, Scheme};
 use vvmesh::step::Parent;

@@ -4,6 +4,7 @@ use std::fmt;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use vvmesh::scheme::LoopWeights;
 
 /// What an expression may be, for the help of the options that take one.
 const EXPRESSIONS: &str = "\
@@ -40,6 +41,7 @@ pub(crate) enum Command {
     Select(SelectArguments),
     Subdivide(SubdivideArguments),
     Matrix(MatrixArguments),
+    Limit(LimitArguments),
 }
 
 /// Refine a region of a built-in mesh by every method and compare
@@ -203,24 +205,71 @@ pub(crate) struct RefineArguments {
     /// Which vertices, chosen anew at every level; see below
     #[arg(long, value_name = "EXPR")]
     pub(crate) select_each: Option<String>,
-    /// Boundary vertices that stay as corners: none, those of valence 2, or all of the input [default: smooth]
-    #[arg(long)]
-    pub(crate) boundary: Option<BoundaryName>,
     /// Weights of smooth vertices under `loop` [default: loop]
     #[arg(long)]
     pub(crate) weights: Option<WeightsName>,
-    /// Make edges folded by more than this sharp
-    #[arg(long, value_name = "DEG", value_parser = degrees, allow_negative_numbers = true, conflicts_with = "sharp")]
-    pub(crate) sharp_angle: Option<f64>,
-    /// Make the edges and corners in a file sharp: a line `a b` names an edge, a line `a` a corner, `#` starts a comment
-    #[arg(long, value_name = "FILE")]
-    pub(crate) sharp: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) tags: TagArguments,
     /// Put the vertices where infinitely many steps of `loop` would
     #[arg(long)]
     pub(crate) limit: bool,
     /// Refuse to make more faces than this [default: what fits the memory that is free]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) max_faces: Option<u64>,
+}
+
+/// Put every vertex of a mesh where infinitely many steps would, with the normal there
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Example:
+  vv limit spot.obj -o smooth.obj --normals --sharp-angle 40
+
+At a sharp edge a vertex has a normal for each side, and the corners of faces name that of theirs.
+Where there is none (an isolated vertex, the tip of a cone, a fold) none is made up: that is told,
+and faces there are written without.")]
+pub(crate) struct LimitArguments {
+    /// The mesh, OBJ or OFF
+    #[arg(value_name = "MESH")]
+    pub(crate) mesh: PathBuf,
+    /// Where to write the mesh, OBJ or OFF by its ending
+    #[arg(short = 'o', value_name = "OUT")]
+    pub(crate) output: PathBuf,
+    /// The steps of which scheme
+    #[arg(long, default_value = "loop")]
+    pub(crate) scheme: LimitName,
+    /// Write the normals of the limit surface, in OBJ
+    #[arg(long)]
+    pub(crate) normals: bool,
+    /// Weights of smooth vertices under `loop` [default: loop]
+    #[arg(long)]
+    pub(crate) weights: Option<WeightsName>,
+    #[command(flatten)]
+    pub(crate) tags: TagArguments,
+    /// Print what was done as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// What is sharp in a mesh that is read.
+#[derive(Args, Debug)]
+pub(crate) struct TagArguments {
+    /// Boundary vertices that stay as corners: none, those of valence 2, or all of the input [default: smooth]
+    #[arg(long)]
+    pub(crate) boundary: Option<BoundaryName>,
+    /// Make edges folded by more than this sharp
+    #[arg(long, value_name = "DEG", value_parser = degrees, allow_negative_numbers = true, conflicts_with = "sharp")]
+    pub(crate) sharp_angle: Option<f64>,
+    /// Make the edges and corners in a file sharp: a line `a b` names an edge, a line `a` a corner, `#` starts a comment
+    #[arg(long, value_name = "FILE")]
+    pub(crate) sharp: Option<PathBuf>,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum LimitName {
+    Loop,
+    Butterfly,
+    ModifiedButterfly,
+    Sqrt3,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
@@ -273,6 +322,26 @@ pub(crate) enum NormalsName {
     Drop,
 }
 
+/// The weights that a name, or none, stands for.
+pub(crate) fn loop_weights(name: Option<WeightsName>) -> LoopWeights {
+    match name {
+        None | Some(WeightsName::Loop) => LoopWeights::Loop,
+        Some(WeightsName::Warren) => LoopWeights::Warren,
+    }
+}
+
+impl TagArguments {
+    /// The first of the options that was given.
+    pub(crate) fn first_given(&self) -> Option<&'static str> {
+        let given = [
+            ("--boundary", self.boundary.is_some()),
+            ("--sharp", self.sharp.is_some()),
+            ("--sharp-angle", self.sharp_angle.is_some()),
+        ];
+        given.into_iter().find_map(|(option, given)| given.then_some(option))
+    }
+}
+
 /// Names print as they are typed.
 macro_rules! print_as_typed {
     ($($name:ty),*) => {
@@ -285,7 +354,7 @@ macro_rules! print_as_typed {
     };
 }
 
-print_as_typed!(SchemeName, MethodName, BoundaryName);
+print_as_typed!(SchemeName, LimitName, MethodName, BoundaryName);
 
 fn distance(text: &str) -> Result<f64, String> {
     number(text, 0.0..=f64::MAX, "a distance, 0 or more")

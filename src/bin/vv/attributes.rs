@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use vvmesh::attributes::{Blend, LeftOut, Normals, ObjAttributes, ObjRules, Seams};
+use vvmesh::attributes::{Blend, LeftOut, NormalRule, ObjAttributes, ObjRules, Seams};
 use vvmesh::error::WriteError;
 use vvmesh::io::{FaceAttributes, Format, save, save_with};
 use vvmesh::limit::LoopLimit;
@@ -10,7 +10,7 @@ use vvmesh::soup::FaceList;
 use vvmesh::step::SplitKind;
 use vvmesh::{Mesh, Triangle, VertexId};
 
-use crate::args::{ColorsName, NormalsName, SchemeName, SubdivideArguments, TextureName};
+use crate::args::{ColorsName, NormalsName, SchemeName, SubdivideArguments, TextureName, loop_weights};
 use crate::console::{Failure, note, refuse};
 use crate::refine;
 use crate::run::Run;
@@ -37,6 +37,25 @@ pub(crate) fn refuse_without_meaning(arguments: &SubdivideArguments) -> Result<(
     Ok(())
 }
 
+/// What a file says if the format of the output has a place for it; if not, it is told.
+pub(crate) fn for_output(
+    path: &Path,
+    output: &Path,
+    said: Option<(FaceList, FaceAttributes)>,
+) -> Option<(FaceList, FaceAttributes)> {
+    if Format::from_ending(output) == Some(Format::Obj) {
+        return said;
+    }
+    if said.is_some() {
+        note(format_args!(
+            "{}: only positions and faces are written again, not groups, materials, texture coordinates, normals or \
+             colours: OFF has no place for them",
+            path.display()
+        ));
+    }
+    None
+}
+
 /// What rides along of what a file says, if anything does; what does not is told.
 pub(crate) fn to_take_along(
     arguments: &SubdivideArguments,
@@ -44,13 +63,8 @@ pub(crate) fn to_take_along(
     said: Option<(FaceList, FaceAttributes)>,
 ) -> Result<Option<(FaceList, FaceAttributes)>, Failure> {
     let path = arguments.refine.mesh.display();
+    let said = for_output(&arguments.refine.mesh, &arguments.output, said);
     if Format::from_ending(&arguments.output) != Some(Format::Obj) {
-        if said.is_some() {
-            note(format_args!(
-                "{path}: only positions and faces are written again, not groups, materials, texture coordinates, normals \
-                 or colours: OFF has no place for them"
-            ));
-        }
         return Ok(None);
     }
     let nothing = FaceAttributes::default();
@@ -110,28 +124,24 @@ pub(crate) fn take_along(
         Some(ColorsName::Linear) => Blend::Linear,
         Some(ColorsName::Nearest) => Blend::Nearest,
     };
-    let limit = LoopLimit::new(refine::weights(&arguments.refine));
+    let limit = LoopLimit::new(loop_weights(arguments.refine.weights));
     let normals = match arguments.normals {
-        None => Normals::Keep,
-        Some(NormalsName::Recompute) => Normals::Recompute,
-        Some(NormalsName::Limit) => Normals::Limit(limit),
-        Some(NormalsName::Drop) => Normals::Drop,
+        None => NormalRule::Keep,
+        Some(NormalsName::Recompute) => NormalRule::Recompute,
+        Some(NormalsName::Limit) => NormalRule::Limit(limit.into()),
+        Some(NormalsName::Drop) => NormalRule::Drop,
     };
-    let are_replaced = normals == Normals::Keep && !said.normals.is_empty();
     let rules = ObjRules { texture, seams, colors, normals };
     let attributes = ObjAttributes::new(&run.mesh, &run.history, triangles, said, rules)?;
     if arguments.refine.levels > 0 || arguments.refine.limit {
-        let path = &arguments.refine.mesh;
-        tell(path, attributes.left_out());
-        if are_replaced {
-            note(format_args!("{}: normals are computed anew from the refined faces, see --normals", path.display()));
-        }
+        tell_of_changes(&arguments.refine.mesh, &attributes);
     }
     Ok(attributes)
 }
 
-fn tell(path: &Path, left_out: LeftOut) {
-    let LeftOut { partly_textured, partly_normal, unused_texture, uncolored } = left_out;
+/// Tells what of a file changes when the mesh does.
+pub(crate) fn tell_of_changes(path: &Path, attributes: &ObjAttributes) {
+    let LeftOut { partly_textured, partly_normal, unused_texture, uncolored } = attributes.left_out();
     let triangles = |number| count(number, "triangle", "triangles");
     let told = [
         (
@@ -151,6 +161,12 @@ fn tell(path: &Path, left_out: LeftOut) {
     for (_, text) in told.iter().filter(|(number, _)| *number > 0) {
         note(format_args!("{}: {text}", path.display()));
     }
+    if attributes.replaces_normals() {
+        note(format_args!(
+            "{}: normals are computed anew from the faces as they come out, see --normals",
+            path.display()
+        ));
+    }
 }
 
 /// The refined mesh as it is written.
@@ -163,6 +179,11 @@ pub(crate) struct Finished<'a> {
 impl<'a> Finished<'a> {
     pub(crate) fn new(mesh: &'a Mesh, attributes: Option<ObjAttributes>) -> Self {
         Self { mesh, with: attributes.map(|attributes| attributes.finish(mesh)) }
+    }
+
+    /// How many normals are written.
+    pub(crate) fn normal_count(&self) -> usize {
+        self.with.as_ref().map_or(0, |(_, said)| said.normals.len())
     }
 
     /// The faces in the order of the output.

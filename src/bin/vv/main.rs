@@ -11,6 +11,7 @@ mod demo;
 mod demo_model;
 mod info;
 mod input;
+mod limit;
 mod matrix;
 mod memory;
 mod outputs;
@@ -55,6 +56,7 @@ fn main() -> ExitCode {
         Command::Select(arguments) => select::run(&arguments),
         Command::Subdivide(arguments) => subdivide::run(&arguments),
         Command::Matrix(arguments) => matrix::run(&arguments),
+        Command::Limit(arguments) => limit::run(&arguments),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

@@ -7,7 +7,7 @@ use vvmesh::matrix::{SubdivisionMatrix, WeightMatrix};
 use vvmesh::step::Keep;
 
 use crate::Outcome;
-use crate::args::{MatrixArguments, MethodName};
+use crate::args::{MatrixArguments, MethodName, loop_weights};
 use crate::console::{Failure, print, print_json, refuse};
 use crate::memory::FaceLimit;
 use crate::outputs::{self, OUT};
@@ -41,7 +41,7 @@ pub(crate) fn run(arguments: &MatrixArguments) -> Result<Outcome, Failure> {
     let mut run = refine::begin(mesh, asked, subdivider, &selecting, keep, limit)?;
     refine::refine(&mut run, asked, &selecting, limit, Some(&mut matrix), &mut bar)?;
     let weights = if asked.limit {
-        matrix.limit(&run.mesh, LoopLimit::new(refine::weights(asked)))
+        matrix.limit(&run.mesh, &LoopLimit::new(loop_weights(asked.weights)))
     } else {
         matrix.into_weights()
     };

@@ -5,20 +5,18 @@ use std::path::PathBuf;
 use vvmesh::adaptive::{Incremental, Simple, Uniform};
 use vvmesh::certify::Certificate;
 use vvmesh::error::RefineError;
-use vvmesh::mesh::BoundaryPolicy;
-use vvmesh::scheme::{AnyScheme, Butterfly, Loop, LoopWeights, Midpoint, ModifiedButterfly, Sqrt3};
+use vvmesh::scheme::{AnyScheme, Butterfly, Loop, Midpoint, ModifiedButterfly, Sqrt3};
 use vvmesh::select::Expression;
 use vvmesh::step::{Cause, Keep, Spoiler};
 use vvmesh::subdivide::{Control, Follower, Subdivider};
 use vvmesh::{Mesh, VertexId};
 
-use crate::args::{BoundaryName, MethodName, RefineArguments, SchemeName, WeightsName};
+use crate::args::{MethodName, RefineArguments, SchemeName, loop_weights};
 use crate::console::{Failure, note, refuse, warning};
 use crate::memory::FaceLimit;
 use crate::outputs::{MESH, Named};
 use crate::progress::Bar;
 use crate::run::Run;
-use crate::table::count;
 use crate::{input, sharp};
 
 /// How many examples a warning gives.
@@ -34,7 +32,7 @@ pub(crate) fn prepare(arguments: &RefineArguments) -> Result<(Subdivider, Select
 /// The files that are read.
 pub(crate) fn inputs<'a>(arguments: &'a RefineArguments, selecting: &'a Selecting) -> Vec<Named<'a>> {
     let mut inputs = vec![(MESH, arguments.mesh.as_path())];
-    inputs.extend(arguments.sharp.iter().map(|file| ("--sharp", file.as_path())));
+    inputs.extend(arguments.tags.sharp.iter().map(|file| ("--sharp", file.as_path())));
     inputs.extend(selecting.files.iter().map(|file| (selecting.option, file.as_path())));
     inputs
 }
@@ -48,7 +46,7 @@ pub(crate) fn begin(
     keep: Keep,
     limit: FaceLimit,
 ) -> Result<Run, Failure> {
-    tag(&mut mesh, arguments)?;
+    sharp::tag(&mut mesh, &arguments.tags)?;
     if arguments.method == MethodName::Uniform {
         let parts = if arguments.scheme == SchemeName::Sqrt3 { 3 } else { 4 };
         limit.refuse_uniform(mesh.face_count(), parts, arguments.levels)?;
@@ -134,18 +132,11 @@ pub(crate) fn expression(arguments: &RefineArguments) -> &str {
 
 pub(crate) fn scheme(arguments: &RefineArguments) -> AnyScheme {
     match arguments.scheme {
-        SchemeName::Loop => Loop::new(weights(arguments)).into(),
+        SchemeName::Loop => Loop::new(loop_weights(arguments.weights)).into(),
         SchemeName::Butterfly => Butterfly.into(),
         SchemeName::ModifiedButterfly => ModifiedButterfly.into(),
         SchemeName::Midpoint => Midpoint.into(),
         SchemeName::Sqrt3 => Sqrt3::default().into(),
-    }
-}
-
-pub(crate) fn weights(arguments: &RefineArguments) -> LoopWeights {
-    match arguments.weights {
-        None | Some(WeightsName::Loop) => LoopWeights::Loop,
-        Some(WeightsName::Warren) => LoopWeights::Warren,
     }
 }
 
@@ -169,7 +160,6 @@ fn refuse_without_meaning(arguments: &RefineArguments, scheme: &AnyScheme) -> Re
     let RefineArguments { scheme: name, method, .. } = arguments;
     let is_loop = *name == SchemeName::Loop;
     let reads_tags = scheme.reads_tags();
-    let no_tags = "its weights know neither creases nor corners";
     let refusals = [
         (
             "--rings",
@@ -177,29 +167,19 @@ fn refuse_without_meaning(arguments: &RefineArguments, scheme: &AnyScheme) -> Re
             format!("--method {method}: only `incremental` expands the selection"),
         ),
         ("--weights", arguments.weights.is_some() && !is_loop, format!("--scheme {name}: its weights are fixed")),
-        ("--limit", arguments.limit && !is_loop, format!("--scheme {name}: limit positions are known for `loop` only")),
-        ("--boundary", arguments.boundary.is_some() && !reads_tags, format!("--scheme {name}: {no_tags}")),
-        ("--sharp", arguments.sharp.is_some() && !reads_tags, format!("--scheme {name}: {no_tags}")),
-        ("--sharp-angle", arguments.sharp_angle.is_some() && !reads_tags, format!("--scheme {name}: {no_tags}")),
+        (
+            "--limit",
+            arguments.limit && !is_loop,
+            format!("--scheme {name}: it goes with `loop` only; `vv limit` knows other schemes"),
+        ),
     ];
-    match refusals.iter().find(|(_, refused, _)| *refused) {
+    let tag = arguments.tags.first_given().filter(|_| !reads_tags);
+    let tag =
+        tag.map(|option| (option, true, format!("--scheme {name}: its weights know neither creases nor corners")));
+    match refusals.iter().chain(&tag).find(|(_, refused, _)| *refused) {
         Some((option, _, reason)) => refuse(format!("{option} has no meaning with {reason}; leave it out")),
         None => Ok(()),
     }
-}
-
-/// Tags the input: corners by the boundary policy, sharp edges by angle or from a file.
-fn tag(mesh: &mut Mesh, arguments: &RefineArguments) -> Result<(), Failure> {
-    mesh.apply_boundary_policy(match arguments.boundary {
-        None | Some(BoundaryName::Smooth) => BoundaryPolicy::Smooth,
-        Some(BoundaryName::Corners) => BoundaryPolicy::Corners,
-        Some(BoundaryName::Fixed) => BoundaryPolicy::Fixed,
-    });
-    if let Some(degrees) = arguments.sharp_angle {
-        let sharp = sharp::by_angle(mesh, degrees);
-        note(format_args!("{} sharp, folded by more than {degrees} degrees", count(sharp, "edge is", "edges are")));
-    }
-    arguments.sharp.as_deref().map_or(Ok(()), |path| sharp::from_file(mesh, path))
 }
 
 fn warn_of_unproven(level: u8, unproven: &[VertexId], selected: usize, doubts: &[String]) {

@@ -2,13 +2,30 @@
 
 use std::path::Path;
 
+use vvmesh::mesh::BoundaryPolicy;
 use vvmesh::query::measure::{angle_between_rad, triangle_normal};
 use vvmesh::{Edge, Mesh, VertexId};
 
-use crate::console::{Failure, refuse};
+use crate::args::{BoundaryName, TagArguments};
+use crate::console::{Failure, note, refuse};
+use crate::table::count;
+
+/// Tags a mesh that was read: corners by the boundary policy, sharp edges by angle or from a file.
+pub(crate) fn tag(mesh: &mut Mesh, arguments: &TagArguments) -> Result<(), Failure> {
+    mesh.apply_boundary_policy(match arguments.boundary {
+        None | Some(BoundaryName::Smooth) => BoundaryPolicy::Smooth,
+        Some(BoundaryName::Corners) => BoundaryPolicy::Corners,
+        Some(BoundaryName::Fixed) => BoundaryPolicy::Fixed,
+    });
+    if let Some(degrees) = arguments.sharp_angle {
+        let sharp = by_angle(mesh, degrees);
+        note(format_args!("{} sharp, folded by more than {degrees} degrees", count(sharp, "edge is", "edges are")));
+    }
+    arguments.sharp.as_deref().map_or(Ok(()), |path| from_file(mesh, path))
+}
 
 /// Tags every edge sharp whose two triangles are folded by more than an angle. Answers how many there are.
-pub(crate) fn by_angle(mesh: &mut Mesh, degrees: f64) -> usize {
+fn by_angle(mesh: &mut Mesh, degrees: f64) -> usize {
     let normal = |a, b, c| triangle_normal([a, b, c].map(|v| mesh.position(v)));
     let mut sharp = Vec::new();
     for a in mesh.vertices() {
@@ -30,7 +47,7 @@ pub(crate) fn by_angle(mesh: &mut Mesh, degrees: f64) -> usize {
 }
 
 /// Tags what a file names: lines `a b` or `a b inf` an edge, lines `a` a corner; `#` starts a comment.
-pub(crate) fn from_file(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
+fn from_file(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
     let text = match std::fs::read_to_string(path) {
         Ok(text) => text,
         Err(error) => return refuse(format!("--sharp: {}: {error}", path.display())),
@@ -38,12 +55,12 @@ pub(crate) fn from_file(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
     for (k, line) in text.lines().enumerate() {
         let line = line.split('#').next().unwrap_or_default();
         let words: Vec<&str> = line.split_whitespace().collect();
-        tag(mesh, &words).map_err(|message| Failure(format!("{}:{}: {message}", path.display(), k + 1)))?;
+        tag_line(mesh, &words).map_err(|message| Failure(format!("{}:{}: {message}", path.display(), k + 1)))?;
     }
     Ok(())
 }
 
-fn tag(mesh: &mut Mesh, words: &[&str]) -> Result<(), String> {
+fn tag_line(mesh: &mut Mesh, words: &[&str]) -> Result<(), String> {
     let (a, b) = match *words {
         [] => return Ok(()),
         [a] => {

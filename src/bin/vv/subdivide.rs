@@ -4,16 +4,14 @@ use std::fmt::Display;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use vvmesh::VertexId;
 use vvmesh::io::write_atomically;
 use vvmesh::limit::LoopLimit;
-use vvmesh::scheme::LoopWeights;
 use vvmesh::step::Keep;
 
 use crate::Outcome;
-use crate::args::{BoundaryName, MethodName, SubdivideArguments};
+use crate::args::{BoundaryName, MethodName, SubdivideArguments, loop_weights};
 use crate::attributes::{self, Finished};
-use crate::console::{Failure, json, print, refuse};
+use crate::console::{Failure, json, print};
 use crate::input::Input;
 use crate::memory::FaceLimit;
 use crate::outputs::{self, Named, OUT};
@@ -22,7 +20,7 @@ use crate::refine::Selecting;
 use crate::report::{self, Report, Sizes};
 use crate::run::Run;
 use crate::table::count;
-use crate::{input, refine, tsv};
+use crate::{input, limit, refine, tsv};
 
 pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let mut bar = Bar::new();
@@ -43,7 +41,8 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let input = run.sizes();
     refine::refine(&mut run, asked, &selecting, limit, None, &mut bar)?;
     if asked.limit {
-        move_to_limit(&mut run, refine::weights(asked))?;
+        let limit = LoopLimit::new(loop_weights(asked.weights));
+        run.attributes = limit::move_vertices("--limit: ", &mut run.mesh, run.attributes.take(), &limit)?;
     }
 
     let report = report(arguments, &run, input);
@@ -88,27 +87,10 @@ fn keep(arguments: &SubdivideArguments) -> Keep {
     }
 }
 
-/// Moves every vertex to where infinitely many steps would bring it.
-fn move_to_limit(run: &mut Run, weights: LoopWeights) -> Result<(), Failure> {
-    let limit = LoopLimit::new(weights);
-    let positions = limit.positions(&run.mesh);
-    if let Some(k) = positions.iter().position(|position| !position.is_finite()) {
-        return refuse(format!(
-            "--limit: the limit of {} is not finite; scale the mesh down. Nothing was written",
-            VertexId::new(k)
-        ));
-    }
-    if let Some(attributes) = &mut run.attributes {
-        attributes.move_to_limit(&run.mesh, limit);
-    }
-    run.mesh.positions_mut().copy_from_slice(&positions);
-    Ok(())
-}
-
 fn report(arguments: &SubdivideArguments, run: &Run, input: Sizes) -> Report {
     let asked = &arguments.refine;
     let is_incremental = asked.method == MethodName::Incremental;
-    let boundary = asked.boundary.unwrap_or(BoundaryName::Smooth);
+    let boundary = asked.tags.boundary.unwrap_or(BoundaryName::Smooth);
     Report {
         mesh: asked.mesh.display().to_string(),
         output: arguments.output.display().to_string(),

@@ -1,0 +1,167 @@
+//! `vv limit`: a mesh in, the same mesh with its vertices on the limit surface out.
+
+use serde::Serialize;
+use vvmesh::attributes::{NormalRule, ObjAttributes, ObjRules};
+use vvmesh::io::{FaceAttributes, Format};
+use vvmesh::limit::{AnyLimit, ButterflyLimit, Limit, LoopLimit, ModifiedButterflyLimit, Normals, Sqrt3Limit};
+use vvmesh::step::{History, Keep};
+use vvmesh::{Mesh, VertexId};
+
+use crate::Outcome;
+use crate::args::{LimitArguments, LimitName, loop_weights};
+use crate::attributes::{self, Finished};
+use crate::console::{Failure, print, print_json, refuse, warning};
+use crate::input::Input;
+use crate::outputs::{self, MESH, OUT};
+use crate::table::count;
+use crate::{input, sharp};
+
+/// How many examples a warning gives.
+const EXAMPLES: usize = 3;
+
+#[derive(Serialize)]
+struct Report {
+    mesh: String,
+    output: String,
+    scheme: String,
+    vertices: usize,
+    faces: usize,
+    /// How many were written; `None` if none were asked for.
+    normals: Option<usize>,
+    /// The vertices that have none on some side, or no side.
+    without_normal: Vec<usize>,
+}
+
+pub(crate) fn run(arguments: &LimitArguments) -> Result<Outcome, Failure> {
+    refuse_without_meaning(arguments)?;
+    outputs::check_mesh(&arguments.output)?;
+    let mut inputs = vec![(MESH, arguments.mesh.as_path())];
+    inputs.extend(arguments.tags.sharp.as_deref().map(|path| ("--sharp", path)));
+    outputs::check(&[(OUT, &arguments.output)], &inputs)?;
+
+    let Input { mut mesh, said } = input::read_mesh_with_attributes(&arguments.mesh)?;
+    sharp::tag(&mut mesh, &arguments.tags)?;
+    let limit = limit(arguments);
+    let without = if arguments.normals { without_normal(&limit, &mesh) } else { Vec::new() };
+    let mut said = attributes::for_output(&arguments.mesh, &arguments.output, said);
+    if arguments.normals && said.is_none() {
+        said = Some((mesh.to_face_list(), FaceAttributes::default()));
+    }
+    let attributes = match said {
+        Some((triangles, said)) => {
+            let normals = if arguments.normals { NormalRule::Limit(limit) } else { NormalRule::Keep };
+            let (history, rules) = (History::new(&mesh, Keep::default()), ObjRules { normals, ..ObjRules::default() });
+            let attributes = ObjAttributes::new(&mesh, &history, &triangles, said, rules)?;
+            attributes::tell_of_changes(&arguments.mesh, &attributes);
+            Some(attributes)
+        }
+        None => None,
+    };
+    let attributes = move_vertices("", &mut mesh, attributes, &limit)?;
+    let finished = Finished::new(&mesh, attributes);
+    finished.save(&arguments.output)?;
+
+    let report = Report {
+        mesh: arguments.mesh.display().to_string(),
+        output: arguments.output.display().to_string(),
+        scheme: arguments.scheme.to_string(),
+        vertices: mesh.vertex_count(),
+        faces: mesh.face_count(),
+        normals: arguments.normals.then(|| finished.normal_count()),
+        without_normal: without.iter().map(|v| v.index()).collect(),
+    };
+    if arguments.json {
+        print_json(&report)?
+    } else {
+        print(&text(&report))?
+    }
+    Ok(Outcome::Done)
+}
+
+/// Moves every vertex, and what is said of it, to where infinitely many steps would bring it; a refusal begins with
+/// `option`.
+pub(crate) fn move_vertices(
+    option: &str,
+    mesh: &mut Mesh,
+    attributes: Option<ObjAttributes>,
+    limit: &(impl Limit + Sync),
+) -> Result<Option<ObjAttributes>, Failure> {
+    let positions = limit.positions(mesh);
+    if let Some(k) = positions.iter().position(|position| !position.is_finite()) {
+        return refuse(format!(
+            "{option}the limit of {} is not finite; scale the mesh down. Nothing was written",
+            VertexId::new(k)
+        ));
+    }
+    let attributes = attributes.map(|mut attributes| {
+        attributes.move_to_limit(mesh, limit);
+        attributes
+    });
+    mesh.positions_mut().copy_from_slice(&positions);
+    Ok(attributes)
+}
+
+fn limit(arguments: &LimitArguments) -> AnyLimit {
+    match arguments.scheme {
+        LimitName::Loop => LoopLimit::new(loop_weights(arguments.weights)).into(),
+        LimitName::Butterfly => ButterflyLimit.into(),
+        LimitName::ModifiedButterfly => ModifiedButterflyLimit.into(),
+        LimitName::Sqrt3 => Sqrt3Limit.into(),
+    }
+}
+
+/// Refuses options that would do nothing under the scheme, or that the format has no place for.
+fn refuse_without_meaning(arguments: &LimitArguments) -> Result<(), Failure> {
+    let scheme = arguments.scheme;
+    if arguments.weights.is_some() && scheme != LimitName::Loop {
+        return refuse(format!("--weights has no meaning with --scheme {scheme}: its weights are fixed; leave it out"));
+    }
+    match arguments.tags.first_given() {
+        Some(option) if matches!(scheme, LimitName::Butterfly | LimitName::Sqrt3) => {
+            return refuse(format!(
+                "{option} has no meaning with --scheme {scheme}: its weights know neither creases nor corners; leave it out"
+            ));
+        }
+        _ => {}
+    }
+    if arguments.normals && Format::from_ending(&arguments.output) == Some(Format::Off) {
+        return refuse("--normals: OFF has one normal for a vertex, and one at a sharp edge has two; write OBJ");
+    }
+    Ok(())
+}
+
+/// The vertices that have no normal on some side, or no side, which is told.
+fn without_normal(limit: &AnyLimit, mesh: &Mesh) -> Vec<VertexId> {
+    let normals = limit.normals(mesh);
+    let is_without = |&v: &VertexId| normals.of(v).is_empty() || normals.of(v).contains(&None);
+    let without: Vec<VertexId> = mesh.vertices().filter(is_without).collect();
+    if !without.is_empty() {
+        warn_of_missing(limit, mesh, &normals, &without);
+    }
+    without
+}
+
+fn warn_of_missing(limit: &AnyLimit, mesh: &Mesh, normals: &Normals, without: &[VertexId]) {
+    let reason = |v: VertexId| {
+        let Some(side) = normals.of(v).iter().position(Option::is_none) else {
+            return if mesh.ring(v).valence() == 0 { "isolated" } else { "the tip of a cone" };
+        };
+        match limit.tangents(mesh, v, side) {
+            None => "the scheme has no tangent plane there",
+            Some(_) => "its tangents vanish or are parallel",
+        }
+    };
+    let examples: Vec<String> = without.iter().take(EXAMPLES).map(|&v| format!("{v} ({})", reason(v))).collect();
+    warning(format_args!(
+        "{} without a normal, on one side at least: {}{}; faces there are written without normals",
+        count(without.len(), "vertex is", "vertices are"),
+        examples.join(", "),
+        if without.len() > EXAMPLES { ", ..." } else { "" }
+    ));
+}
+
+fn text(report: &Report) -> String {
+    let Report { output, vertices, faces, normals, .. } = report;
+    let normals = normals.map_or(String::new(), |normals| format!(", {}", count(normals, "normal", "normals")));
+    format!("wrote {output}: {}, {}{normals}\n", count(*vertices, "vertex", "vertices"), count(*faces, "face", "faces"))
+}
