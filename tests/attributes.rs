@@ -9,11 +9,11 @@ use std::collections::BTreeMap;
 use common::random::{Closed, Picks, Surface, WithBoundary, check};
 use common::run::schemes;
 use vvmesh::adaptive::{AdaptiveMethod, Incremental, Simple, Uniform};
-use vvmesh::attributes::{Attributes, Blend, Channel, CornerChannel, Normals, ObjAttributes, ObjRules, Seams};
+use vvmesh::attributes::{Attributes, Blend, Channel, CornerChannel, NormalRule, ObjAttributes, ObjRules, Seams};
 use vvmesh::error::RefineError;
 use vvmesh::glam::{DVec2, DVec3};
 use vvmesh::io::{self, FaceAttributes};
-use vvmesh::limit::LoopLimit;
+use vvmesh::limit::{Limit, LoopLimit};
 use vvmesh::query::measure::{corner_positions, triangle_area};
 use vvmesh::scheme::{AnyScheme, Butterfly, Loop, Mask, Midpoint, Sqrt3};
 use vvmesh::scratch::Scratch;
@@ -374,7 +374,7 @@ fn values_go_to_the_limit_with_the_positions() {
     let mut ride = Ride::new(&shapes::grid(3, 2));
     ride.add_positions(Blend::Scheme);
     ride.step(&Subdivider::new(Loop::default(), Uniform), &Selection::empty());
-    ride.attributes.move_to_limit(&ride.mesh, limit);
+    ride.attributes.move_to_limit(&ride.mesh, &limit);
     for (triangle, values) in ride.mesh.triangles().zip(ride.values_at_corners("position")) {
         for (v, value) in triangle.corners().into_iter().zip(values.unwrap()) {
             let mut mask = Mask::default();
@@ -651,11 +651,11 @@ fn limit_normals_differ_across_creases() {
     let equator: Vec<Edge> = mesh.edges().filter(|e| e.ends().iter().all(|&v| mesh.position(v).z == 0.0)).collect();
     equator.into_iter().for_each(|edge| assert!(mesh.set_sharp(edge, true)));
     let history = History::new(&mesh, Keep::default());
-    let rules = ObjRules { normals: Normals::Limit(LoopLimit::default()), ..ObjRules::default() };
+    let rules = ObjRules { normals: NormalRule::Limit(LoopLimit::default()), ..ObjRules::default() };
     let list = mesh.to_face_list();
     let mut obj = ObjAttributes::new(&mesh, &history, &list, FaceAttributes::default(), rules).unwrap();
     let limit = LoopLimit::default();
-    obj.move_to_limit(&mesh, limit);
+    obj.move_to_limit(&mesh, &limit);
     let old = mesh.clone();
     mesh.positions_mut().copy_from_slice(&limit.positions(&old));
     let (faces, said) = obj.finish(&mesh);
@@ -687,9 +687,9 @@ fn nothing_is_lost_without_a_step_and_what_is_lost_by_one_is_told() {
     assert!((0..48).all(|corner| said.texture_index(corner).is_none()));
 
     // Normals on demand, or not at all.
-    let none = refined(ROOF, ObjRules { normals: Normals::Drop, ..rules }, 0).1;
+    let none = refined(ROOF, ObjRules { normals: NormalRule::Drop, ..rules }, 0).1;
     assert!(none.normals.is_empty() && (0..12).all(|corner| none.normal_index(corner).is_none()));
-    let anew = refined("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ObjRules { normals: Normals::Recompute, ..rules }, 0).1;
+    let anew = refined("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ObjRules { normals: NormalRule::Recompute, ..rules }, 0).1;
     assert_eq!(anew.normals, [DVec3::Z; 3]);
 
     let other = shapes::octahedron();
