@@ -26,7 +26,7 @@ pub fn run(out: &mut dyn Write) -> Result<(), Box<dyn Error>> {
     ] {
         writeln!(out, "{name}, between {p} and {q}:")?;
         for (weight, vertices) in mask.groups() {
-            writeln!(out, "  {weight:>7} for {vertices:?}")?;
+            writeln!(out, "  {weight:>7.5} for {vertices:?}")?;
         }
         writeln!(out, "  {:>7} in all", mask.sum())?;
     }
