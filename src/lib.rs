@@ -120,6 +120,11 @@
 //!
 #![doc = include_str!("../docs/closing.svg")]
 //!
+//! **Even, odd triangle, mate**: under √3, one that is whole at its level; a part of a triangle around or beside a new vertex,
+//! with a single youngest corner; the edge opposite to that, which is turned when the triangle across it is split too.
+//!
+#![doc = include_str!("../docs/half-steps.svg")]
+//!
 //! **Level, depth**: how many steps made a vertex or a mesh; how often a triangle was refined.
 //!
 #![doc = include_str!("../docs/levels.svg")]

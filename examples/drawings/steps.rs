@@ -3,12 +3,12 @@
 use vvmesh::adaptive::{Incremental, Simple, Uniform};
 use vvmesh::error::Error;
 use vvmesh::mesh::VertexClass;
-use vvmesh::scheme::{Loop, Mask, Midpoint, Scheme};
+use vvmesh::scheme::{Loop, Mask, Midpoint, Scheme, Sqrt3};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Disk, Selection};
 use vvmesh::step::{History, Keep, Parent};
 use vvmesh::subdivide::{Control, Subdivider};
-use vvmesh::{Edge, VertexId};
+use vvmesh::{Edge, Triangle, VertexId};
 
 use super::canvas::{Canvas, ink};
 use super::sheet::{Sheet, grid, hexagon};
@@ -20,6 +20,7 @@ pub(crate) fn all() -> Result<Vec<(&'static str, String)>, Error> {
         ("mask", mask()),
         ("region", region()?),
         ("closing", closing()?),
+        ("half-steps", half_steps()?),
         ("levels", levels()?),
         ("conforming", conforming()),
     ])
@@ -117,6 +118,30 @@ fn closing() -> Result<String, Error> {
         sheet.label(v, "O", ink::PALE_BLUE);
     }
     sheet.caption("edges that close the cracks orange");
+    Ok(sheet.finish())
+}
+
+/// One step of √3 around a vertex.
+fn half_steps() -> Result<String, Error> {
+    let (mut mesh, middle) = hexagon(2);
+    let mut scratch = Scratch::new();
+    let mut history = History::new(&mesh, Keep::default());
+    let selection = Disk::new(middle, 1).select(&mesh, &mut scratch)?;
+    let before = mesh.clone();
+    let subdivider = Subdivider::new(Sqrt3::default(), Simple);
+    subdivider.step(&mut mesh, &mut history, &selection, &mut scratch, &mut Control::default())?;
+    let is_odd = |triangle: &Triangle| history.generation(*triangle).is_some_and(|made| made % 2 == 1);
+    let mut sheet = Sheet::new(&mesh);
+    sheet.fill(mesh.triangles().filter(is_odd), ink::PALE_BLUE);
+    // Of an odd triangle one edge alone is old.
+    let is_mate = |edge: &Edge| {
+        let [a, b] = edge.ends();
+        let beside = [mesh.rotation().left_of(a, b), mesh.rotation().right_of(a, b)];
+        before.rotation().has_edge(a, b) && beside.iter().flatten().any(|&c| is_odd(&Triangle::new(a, b, c)))
+    };
+    sheet.edges(mesh.edges().filter(is_mate), ink::ORANGE);
+    sheet.dots(mesh.vertices().skip(before.vertex_count()), ink::BLUE);
+    sheet.caption("odd triangles blue, their mates orange");
     Ok(sheet.finish())
 }
 
