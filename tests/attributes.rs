@@ -129,6 +129,36 @@ fn positions_ride_along_on_closed_and_open_meshes() {
 }
 
 #[test]
+fn values_of_vertices_ride_along_under_sqrt3() {
+    let subdividers =
+        [Subdivider::new(Sqrt3::default(), Uniform), Subdivider::new(Sqrt3::default(), Incremental::new(2).unwrap())];
+    for subdivider in subdividers {
+        let mut ride = Ride::new(&shapes::grid(4, 3));
+        let Ride { mesh, attributes, .. } = &mut ride;
+        for (name, blend) in [("scheme", Blend::Scheme), ("linear", Blend::Linear), ("nearest", Blend::Nearest)] {
+            let positions = mesh.positions().iter().map(|p| p.to_array()).collect();
+            attributes.add_vertex_channel(mesh, Channel::new(name, blend, positions).unwrap()).unwrap();
+        }
+        let mut selection: Selection = (0..12).map(VertexId::new).collect();
+        for _ in 0..4 {
+            selection = ride.step(&subdivider, &selection);
+        }
+        let value =
+            |name: &str, v: VertexId| DVec3::from_slice(ride.attributes.vertex_channel(name).unwrap().value(v.index()));
+        for v in ride.mesh.vertices() {
+            assert_eq!(value("scheme", v), ride.mesh.position(v));
+            let Some(lineage) = ride.history.parents(v) else { continue };
+            let parents: Vec<VertexId> = lineage.vertices().collect();
+            assert_eq!(value("nearest", v), value("nearest", parents[0]));
+            let weights = if parents.len() == 2 { &[2.0 / 3.0, 1.0 / 3.0][..] } else { &[1.0 / 3.0; 3][..] };
+            let mean: DVec3 = parents.iter().zip(weights).map(|(&p, &weight)| weight * value("linear", p)).sum();
+            assert!(value("linear", v).distance(mean) < 1e-14);
+        }
+        assert!(ride.mesh.vertices().any(|v| ride.history.parents(v).is_some_and(|made| made.vertices().count() == 2)));
+    }
+}
+
+#[test]
 fn linear_values_are_those_of_midpoints_and_nearest_ones_are_never_new() {
     for subdivider in subdividers(&Loop::default().into()) {
         let mut ride = Ride::new(&shapes::torus(6, 5, 2.0, 1.0));
@@ -599,8 +629,8 @@ fn refined(text: &str, rules: ObjRules, levels: usize) -> (FaceList, FaceAttribu
 }
 
 /// A roof of two slopes, each with a normal, a group and a material; the first face comes before all that.
-const ROOF: &str = "mtllib roof.mtl\nv 0 0 0 1 0 0\nv 1 0 1 0 1 0\nv 0 1 0 1 0 0\nv 1 1 1\nv 2 0 0 0 0 1\nv 2 1 0 0 0 1\n\
-    vn -1 0 1\nvn 1 0 1\nvn 1 0 1\nvt 5 5\nvt 0 0\nf 1//1 2//1 3//1\nusemtl red\ng left\nf 2//1 4//1 3//1\n\
+const ROOF: &str = "mtllib roof.mtl\nv 0 0 0 1 0 0\nv 1 0 1 0 1 0\nv 0 1 0 1 0 0\nv 1 1 1\nv 2 0 0 0 0 1\n\
+    v 2 1 0 0 0 1\nvn -1 0 1\nvn 1 0 1\nvn 1 0 1\nvt 5 5\nvt 0 0\nf 1//1 2//1 3//1\nusemtl red\ng left\nf 2//1 4//1 3//1\n\
     g right\nusemtl blue\ns 1\nf 5//2 6//3 2//2\ng left\nusemtl red\ns off\nf 6//2 4//2 2//3\n";
 
 #[test]
@@ -651,7 +681,7 @@ fn limit_normals_differ_across_creases() {
     let equator: Vec<Edge> = mesh.edges().filter(|e| e.ends().iter().all(|&v| mesh.position(v).z == 0.0)).collect();
     equator.into_iter().for_each(|edge| assert!(mesh.set_sharp(edge, true)));
     let history = History::new(&mesh, Keep::default());
-    let rules = ObjRules { normals: NormalRule::Limit(LoopLimit::default()), ..ObjRules::default() };
+    let rules = ObjRules { normals: NormalRule::Limit(LoopLimit::default().into()), ..ObjRules::default() };
     let list = mesh.to_face_list();
     let mut obj = ObjAttributes::new(&mesh, &history, &list, FaceAttributes::default(), rules).unwrap();
     let limit = LoopLimit::default();
@@ -689,7 +719,8 @@ fn nothing_is_lost_without_a_step_and_what_is_lost_by_one_is_told() {
     // Normals on demand, or not at all.
     let none = refined(ROOF, ObjRules { normals: NormalRule::Drop, ..rules }, 0).1;
     assert!(none.normals.is_empty() && (0..12).all(|corner| none.normal_index(corner).is_none()));
-    let anew = refined("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ObjRules { normals: NormalRule::Recompute, ..rules }, 0).1;
+    let anew =
+        refined("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ObjRules { normals: NormalRule::Recompute, ..rules }, 0).1;
     assert_eq!(anew.normals, [DVec3::Z; 3]);
 
     let other = shapes::octahedron();

@@ -9,8 +9,8 @@ use vvmesh::glam::DVec3;
 use vvmesh::io;
 
 /// Two squares with a seam between them, a colour each, a normal for all.
-const SQUARES: &str = "mtllib m.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 2 0 0 0 0 1\nv 0 1 0 1 0 0\nv 1 1 0 1 0 0\nv 2 1 0 0 0 1\n\
-    vt 0 0\nvt 0.4 0\nvt 0.6 0\nvt 1 0\nvt 0 1\nvt 0.4 1\nvt 0.6 1\nvt 1 1\nvn 0 0 1\n\
+const SQUARES: &str = "mtllib m.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 2 0 0 0 0 1\nv 0 1 0 1 0 0\nv 1 1 0 1 0 0\n\
+    v 2 1 0 0 0 1\nvt 0 0\nvt 0.4 0\nvt 0.6 0\nvt 1 0\nvt 0 1\nvt 0.4 1\nvt 0.6 1\nvt 1 1\nvn 0 0 1\n\
     o two\ng left\nusemtl red\nf 1/1/1 2/2/1 5/6/1 4/5/1\ng right\nusemtl blue\nf 2/3/1 3/4/1 6/8/1 5/7/1\n";
 
 fn desk() -> Desk {
@@ -123,6 +123,28 @@ fn what_is_lost_is_told_once() {
         "1 rendering statement ignored",
     ] {
         assert_eq!(ran.err.matches(note).count(), 1, "no `{note}` in {}", ran.err);
+    }
+}
+
+#[test]
+fn what_lies_across_old_faces_is_lost_under_sqrt3_and_that_is_told() {
+    let desk = desk();
+    let call = "subdivide squares.obj -o o.obj --scheme sqrt3 --levels 2 --method";
+    let colors = |method: &str, lost: &str| {
+        let ran = desk.done(&format!("{call} {method}"));
+        assert_eq!(ran.err.matches(&format!("{lost} are lost")).count(), 1, "{}", ran.err);
+        io::read(desk.path("o.obj")).unwrap().attributes
+    };
+    for method in ["uniform", "incremental"] {
+        let said = colors(method, "texture coordinates and normals");
+        assert!(said.vertex_colors.len() > 6 && said.vertex_colors.iter().all(Option::is_some));
+        assert!(said.texture_coordinates.is_empty() && said.object(0).is_none());
+    }
+    assert!(colors("simple", "normals and colours").is_empty());
+    assert!(!desk.done(&format!("{call} uniform --normals recompute")).err.contains("error"));
+    assert!(!io::read(desk.path("o.obj")).unwrap().attributes.normals.is_empty());
+    for (option, method) in [("--uv linear", "uniform"), ("--colors linear", "simple")] {
+        desk.vv(&format!("{call} {method} {option}")).assert_refused("along; leave it out");
     }
 }
 

@@ -10,14 +10,14 @@ use crate::step::SplitKind;
 /// How the values of new vertices are made, and whether those of old vertices change.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Blend {
-    /// By the masks of the scheme, as positions are: old values change if the scheme moves old vertices, and weights below
-    /// zero (of Butterfly) may lead out of the range of the old values.
+    /// By the masks of the scheme, as positions are: old values change if the scheme moves old vertices, and weights
+    /// below zero (of Butterfly) may lead out of the range of the old values.
     #[default]
     Scheme,
     /// The mean of what a vertex is made of: of the ends of an edge, of the corners of a triangle. Old values stay.
     Linear,
-    /// The value of the first that a vertex is made of: of an edge the older end (see [`Parent`](crate::step::Parent)). Old
-    /// values stay, and no other value ever appears: for labels, and whatever else has no mean.
+    /// The value of the first that a vertex is made of: of an edge the older end (see [`Parent`](crate::step::Parent)).
+    /// Old values stay, and no other value ever appears: for labels, and whatever else has no mean.
     Nearest,
 }
 

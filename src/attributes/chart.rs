@@ -16,9 +16,9 @@ const END: u32 = u32::MAX;
 
 /// A mesh over a mesh: each of its vertices lies over a vertex of the mesh, each of its faces over a face.
 ///
-/// Over an inner edge of a chart lies one chart edge, over a seam lie two, over a face without values none. A step splits
-/// the chart edges over the edges that it splits in the mesh, so faces stay over faces, and the two sides of a seam stay over
-/// the same vertices: nothing is torn.
+/// Over an inner edge of a chart lies one chart edge, over a seam lie two, over a face without values none. A step
+/// splits the chart edges over the edges that it splits in the mesh, so faces stay over faces, and the two sides of a
+/// seam stay over the same vertices: nothing is torn.
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
     rotation: RotationSystem,
@@ -38,8 +38,8 @@ pub(super) struct Chart {
 impl Chart {
     /// Cuts a mesh along its seams; answers the number of the value at each chart vertex too.
     ///
-    /// `values` has the numbers of the values at the corners of each triangle of the mesh, in order. A seam is an edge at
-    /// which they differ, at one end or both; a triangle without values is left out. O(faces).
+    /// `values` has the numbers of the values at the corners of each triangle of the mesh, in order. A seam is an edge
+    /// at which they differ, at one end or both; a triangle without values is left out. O(faces).
     pub(super) fn new(mesh: &Mesh, history: &History, values: &[Option<[u32; 3]>]) -> (Self, Vec<u32>) {
         let cutter = Cutter::new(mesh, values);
         let mut sectors = Vec::new();

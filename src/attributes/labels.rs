@@ -28,7 +28,8 @@ impl Ancestry {
         self.starts.push(self.starts[0] + self.parents.len());
     }
 
-    /// The corners, ascending, of the face in which a face lies in the mesh as it was when it had so many vertices. O(steps).
+    /// The corners, ascending, of the face in which a face lies in the mesh as it was when it had so many vertices.
+    /// O(steps).
     fn face_among(&self, vertex_count: usize, face: Triangle) -> [VertexId; 3] {
         let mut corners = face.corners();
         corners.sort_unstable();
@@ -40,8 +41,8 @@ impl Ancestry {
 
     /// The corners, ascending, of the face that the step made a face of by which its newest corner was made.
     ///
-    /// A step leaves a face as it is, or makes faces of it that all have a new corner. New corners lie on the edges of the
-    /// old face, so with both ends for each of them its three corners come out.
+    /// A step leaves a face as it is, or makes faces of it that all have a new corner. New corners lie on the edges of
+    /// the old face, so with both ends for each of them its three corners come out.
     fn face_before(&self, corners: [VertexId; 3]) -> [VertexId; 3] {
         let step = self.starts.partition_point(|&start| start <= corners[2].index());
         let start = self.starts[step - 1];

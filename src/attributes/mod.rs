@@ -1,22 +1,25 @@
 //! What a mesh carries beside its shape, and how it rides along through refinement.
 //!
-//! [`Attributes`] belong to a mesh and a run of steps, beside [`Mesh`] and [`History`]; a mesh without any pays nothing. There
-//! are three sorts. A *vertex channel* has a value a vertex. A *corner channel* has a value at each corner of each face, as
-//! texture coordinates do; where the values of two faces differ along their common edge there is a *seam*. *Face labels*
-//! have a number a face: which group, which material.
+//! [`Attributes`] belong to a mesh and a run of steps, beside [`Mesh`] and [`History`]; a mesh without any pays nothing.
+//! There are three sorts. A *vertex channel* has a value a vertex. A *corner channel* has a value at each corner of each
+//! face, as texture coordinates do; where the values of two faces differ along their common edge there is a *seam*.
+//! *Face labels* have a number a face: which group, which material.
 //!
 //! New values of a channel are made by the masks of the scheme, linearly, or taken from the nearest, as its [`Blend`]
-//! says. For a corner channel this is done on the **chart mesh**: the faces, with their own corners, cut along the seams, are a mesh
-//! over the mesh. A step splits the edges of the chart mesh over the edges that it splits in the mesh. So faces stay over
-//! faces, each side of a seam is a boundary of a chart and is refined by the boundary rule of the scheme, and both sides
-//! stay over the same vertices: no seam is torn. A channel without seams has the bits of a vertex channel.
+//! says. For a corner channel this is done on the **chart mesh**: the faces, with their own corners, cut along the
+//! seams, are a mesh over the mesh. A step splits the edges of the chart mesh over the edges that it splits in the
+//! mesh. So faces stay over faces, each side of a seam is a boundary of a chart and is refined by the boundary rule of
+//! the scheme, and both sides stay over the same vertices: no seam is torn. A channel without seams has the bits of a
+//! vertex channel.
 //!
-//! A face of the refined mesh lies in one face of the input, whose label it keeps.
+//! A face of the refined mesh lies in one face of the input, whose label it keeps. Under √3 it does not: an edge that is
+//! turned crosses the old one, also where that is a seam. So corner channels and labels ride along with the split in four
+//! only, and a step of another kind refuses them; vertex channels ride along with every step that shows its masks.
 //!
 //! Read in this order: [`Channel`], [`Blend`], [`Attributes`], [`ObjAttributes`] (the same for what an OBJ file says).
 //!
-//! **Deliberately not here**: normals as values. Those of a refined surface are no blend of the old ones; they are computed
-//! anew, see [`NormalRule`].
+//! **Deliberately not here**: normals as values. Those of a refined surface are no blend of the old ones; they are
+//! computed anew, see [`NormalRule`].
 
 mod channel;
 mod chart;
@@ -138,11 +141,11 @@ impl Attributes {
         Ok(())
     }
 
-    /// Adds a channel with values at corners of faces. `corners` has for each triangle of the mesh, in order, the numbers of
-    /// the values at its corners, or `None` for a triangle without values.
+    /// Adds a channel with values at corners of faces. `corners` has for each triangle of the mesh, in order, the
+    /// numbers of the values at its corners, or `None` for a triangle without values.
     ///
-    /// A seam is an edge along which the numbers differ. If two sectors of faces around a vertex have the same number and
-    /// are separated by seams, the charts touch there in a point: it does not move.
+    /// A seam is an edge along which the numbers differ. If two sectors of faces around a vertex have the same number
+    /// and are separated by seams, the charts touch there in a point: it does not move.
     ///
     /// # Errors
     /// If there are not as many triples as triangles, or a number is out of range.
@@ -201,8 +204,8 @@ impl Attributes {
     /// Makes a step with [`Subdivider::step`], and takes everything along.
     ///
     /// # Errors
-    /// Those of [`Subdivider::step`], and [`RefineError::Unfollowed`] for labels of faces and corner channels under √3, whose
-    /// faces lie across two of the step before, and 4-8. The attributes are then as before, like the mesh.
+    /// Those of [`Subdivider::step`], and [`RefineError::Unfollowed`] for labels of faces and corner channels if the
+    /// scheme does not split triangles in four. The attributes are then as before, like the mesh.
     ///
     /// # Panics
     /// If a chart mesh would need more vertices than 32-bit ids name.

@@ -14,8 +14,8 @@ pub enum NormalRule {
     /// They stay until the mesh is refined; then it is [`NormalRule::Recompute`], if there were any.
     #[default]
     Keep,
-    /// The mean of the faces around each vertex, weighted by their angles. Where the normals of the file differed on the two
-    /// sides of an edge, the edge is hard: the faces on each side are taken by themselves.
+    /// The mean of the faces around each vertex, weighted by their angles. Where the normals of the file differed on
+    /// the two sides of an edge, the edge is hard: the faces on each side are taken by themselves.
     Recompute,
     /// The normals of the limit surface of a scheme, which differ on the two sides of sharp edges.
     Limit(AnyLimit),
@@ -31,8 +31,8 @@ pub(super) struct CornerNormals {
 }
 
 impl CornerNormals {
-    /// [`NormalRule::Recompute`]: one for each vertex of the chart mesh whose boundaries are the hard edges; without one there
-    /// are none.
+    /// [`NormalRule::Recompute`]: one for each vertex of the chart mesh whose boundaries are the hard edges; without a chart
+    /// mesh there are none.
     pub(super) fn recomputed(mesh: &Mesh, chart: Option<&Chart>, faces: &[[VertexId; 3]]) -> Self {
         let weight = NormalWeight::default();
         let Some(chart) = chart else {

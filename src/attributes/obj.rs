@@ -35,9 +35,9 @@ pub struct ObjRules {
 
 /// What an OBJ file says of the faces of a mesh, on its way through refinement; see the [module](super).
 ///
-/// Texture coordinates are a corner channel, colours a vertex channel. Objects, groups, materials and smoothing groups stay
-/// with the faces that descend from theirs, which come in the order of the file's sections. Equal texture coordinates at a
-/// vertex are one, whatever their numbers: a seam is where values differ.
+/// Texture coordinates are a corner channel, colours a vertex channel. Objects, groups, materials and smoothing groups
+/// stay with the faces that descend from theirs, which come in the order of the file's sections. Equal texture
+/// coordinates at a vertex are one, whatever their numbers: a seam is where values differ.
 ///
 /// ```
 /// use vvmesh::adaptive::Uniform;
@@ -60,7 +60,8 @@ pub struct ObjRules {
 /// let (faces, said) = obj.finish(&mesh);
 /// let mut text = Vec::new();
 /// io::write_obj_with(&mut text, &faces, &said)?;
-/// assert!(String::from_utf8(text)?.contains("vt 1 1\nvt 6 1\nvt 1 6\nvt 4 0\nvt 0 4\nvt 4 4\nusemtl red\nf 1/1 4/4 5/5\n"));
+/// let text = String::from_utf8(text)?;
+/// assert!(text.contains("vt 1 1\nvt 6 1\nvt 1 6\nvt 4 0\nvt 0 4\nvt 4 4\nusemtl red\nf 1/1 4/4 5/5\n"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -183,8 +184,8 @@ impl ObjAttributes {
         Ok(step)
     }
 
-    /// Puts values where infinitely many steps would: see [`Attributes::move_to_limit`]. To be called before the positions
-    /// of the mesh are put there: limit normals follow from those before.
+    /// Puts values where infinitely many steps would: see [`Attributes::move_to_limit`]. To be called before the
+    /// positions of the mesh are put there: limit normals follow from those before.
     pub fn move_to_limit(&mut self, mesh: &Mesh, limit: &impl Limit) {
         self.attributes.move_to_limit(mesh, limit);
         if let NormalRule::Limit(limit) = self.normals {
@@ -195,8 +196,8 @@ impl ObjAttributes {
 
     /// The faces of the mesh as it is now, and what is said of them.
     ///
-    /// Of a mesh that was not refined these are the triangles of the file in its order, with all that was said of them; of a
-    /// refined one those of each section of the file together, in the order of the mesh.
+    /// Of a mesh that was not refined these are the triangles of the file in its order, with all that was said of them;
+    /// of a refined one those of each section of the file together, in the order of the mesh.
     #[must_use]
     pub fn finish(self, mesh: &Mesh) -> (FaceList, FaceAttributes) {
         let (faces, said) = if self.is_refined { self.refined(mesh) } else { self.as_read(mesh) };

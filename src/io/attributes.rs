@@ -132,8 +132,8 @@ impl FaceAttributes {
         }
     }
 
-    /// What is left for other faces that stand in these sections, ascending; `None` is before the first. What belongs to
-    /// corners and vertices is left out.
+    /// What is left for other faces that stand in these sections, ascending; `None` is before the first. What belongs
+    /// to corners and vertices is left out.
     pub(crate) fn for_faces(&self, sections: impl Iterator<Item = Option<usize>>) -> Self {
         let mut kept: Vec<Section> = Vec::new();
         let mut last = None;

@@ -20,9 +20,9 @@ pub fn write_obj(out: &mut impl Write, surface: &impl Surface) -> io::Result<()>
 
 /// Writes OBJ with what is said of its faces and vertices; faces and corners are counted in the order of the surface.
 ///
-/// The order is `mtllib`, `v` with colours, `vt`, `vn`, then the faces with `o`, `g`, `usemtl` and `s` where these change. Of
-/// texture coordinates the third value is written if any is not 0. What was read and is written comes back equal when it
-/// is read again.
+/// The order is `mtllib`, `v` with colours, `vt`, `vn`, then the faces with `o`, `g`, `usemtl` and `s` where these
+/// change. Of texture coordinates the third value is written if any is not 0. What was read and is written comes back
+/// equal when it is read again.
 ///
 /// # Errors
 /// What the writer says.
