@@ -146,6 +146,21 @@ fn what_makes_no_sense_or_does_not_fit_is_refused_before_it_begins() {
     }
 }
 
+/// Rows near a vertex of 30,000 neighbours have 30,000 weights: terabytes, where a regular mesh takes little.
+#[test]
+fn a_matrix_that_would_be_full_is_refused() {
+    let desk = Desk::new();
+    let mut cone = "v 0 0 1\n".to_owned();
+    for k in 0..30_000 {
+        let angle = std::f64::consts::TAU * f64::from(k) / 30_000.0;
+        cone += &format!("v {} {} 0\nf 1 {} {}\n", angle.cos(), angle.sin(), k + 2, (k + 1) % 30_000 + 2);
+    }
+    desk.write("cone.obj", cone);
+    let refused = desk.vv("matrix cone.obj -o S.mtx --scheme loop --levels 5 --method uniform");
+    refused.assert_refused("GiB of free memory hold about");
+    desk.done("matrix cone.obj -o S.mtx --scheme midpoint --levels 1 --method uniform");
+}
+
 #[test]
 fn the_sizes_in_the_record_are_these() {
     let Some(folder) = common::meshes() else { return };

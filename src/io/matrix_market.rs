@@ -72,7 +72,7 @@ mod tests {
         write_matrix_market(&mut text, &CsMatI::zero((0, 0)), &comment).unwrap();
         let text = String::from_utf8(text).unwrap();
         let lengths: Vec<usize> = text.lines().map(str::len).collect();
-        assert_eq!(lengths, [46, 2 + 5, 2 + 1000, 2 + 600, 5]);
+        assert_eq!(lengths, [45, 2 + 5, 2 + 1000, 2 + 600, 5]);
         assert!(text.lines().take(4).all(|line| line.starts_with('%')));
     }
 }

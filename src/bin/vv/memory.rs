@@ -81,18 +81,20 @@ impl FaceLimit {
 
 /// About how many weights a row of the matrix gets at most.
 ///
-/// On a regular mesh that is what the numbers tend to as levels are added. Around vertices of n neighbours it is more: a
-/// face of Loop's weighs the stars of its corners, with n + m + k − 6 vertices, and the mean of that is Σ n² / F − 6.
+/// On a regular mesh that is what the numbers tend to as levels are added. Around vertices of n neighbours it is more if
+/// masks read whole stars: a face of Loop's weighs the stars of its corners, with n + m + k − 6 vertices, 12 if regular, and
+/// the mean of that is Σ n² / F − 6.
 fn weights_a_row(mesh: &Mesh, scheme: SchemeName) -> f64 {
-    let regular = match scheme {
-        SchemeName::Midpoint => return 3.0,
-        SchemeName::Loop => 12.0,
-        SchemeName::Sqrt3 => 18.0,
-        SchemeName::Butterfly | SchemeName::ModifiedButterfly => 24.0,
-    };
     let squares: f64 = mesh.vertices().map(|v| (mesh.ring(v).valence() as f64).powi(2)).sum();
     let stars = squares / mesh.face_count().max(1) as f64 - 6.0;
-    regular * (stars / 12.0).max(1.0)
+    let irregular = (stars / 12.0).max(1.0);
+    match scheme {
+        SchemeName::Midpoint => 3.0,
+        SchemeName::Butterfly => 24.0,
+        SchemeName::Loop => 12.0 * irregular,
+        SchemeName::Sqrt3 => 18.0 * irregular,
+        SchemeName::ModifiedButterfly => 24.0 * irregular,
+    }
 }
 
 /// The memory that this process may still take: what the machine has left, or its control group if that is less. Any
