@@ -2,7 +2,8 @@
 //!
 //! Every mask is linear in the positions, so a run of any number of steps, of any scheme by any method, is a matrix S with
 //! V′ = S V. A [`SubdivisionMatrix`] follows the steps and holds S. When the input is moved and its topology and tags stay,
-//! one product says where the refined vertices go: no ring is looked at, nothing is selected again.
+//! one product says where the refined vertices go: no ring is looked at, nothing is selected again. (A step that has no masks
+//! of the mesh before it refuses to be followed; see [`RefineError::NoMasks`](crate::error::RefineError::NoMasks).)
 //!
 //! Read in this order: [`SubdivisionMatrix`], [`WeightMatrix`], [`TangentRows`].
 //!

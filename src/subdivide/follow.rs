@@ -47,7 +47,8 @@ pub trait Follower {
     /// Takes one step.
     ///
     /// Called once a step, after all that can fail and before anything is written: so a step that fails is shown to
-    /// nobody, and one that is shown is made.
+    /// nobody, and one that is shown is made. A step that has no masks of the mesh before it fails with
+    /// [`RefineError::NoMasks`](crate::error::RefineError::NoMasks).
     fn follow(&mut self, step: &StepMasks<'_>);
 }
 
