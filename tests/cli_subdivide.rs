@@ -374,6 +374,11 @@ fn options_without_meaning_are_refused() {
         ("--scheme sqrt3 --method uniform --boundary fixed", "--boundary has no meaning with --scheme sqrt3"),
         ("--scheme sqrt3 --method uniform --weights loop", "--weights has no meaning with --scheme sqrt3"),
         ("--scheme sqrt3 --method uniform --limit", "--limit has no meaning with --scheme sqrt3"),
+        ("--scheme four-eight --method uniform --weights warren", "--weights has no meaning with --scheme four-eight"),
+        ("--scheme four-eight --method uniform --limit", "--limit has no meaning with --scheme four-eight"),
+        ("--scheme four-eight --method uniform --boundary fixed", "--boundary has no meaning"),
+        ("--scheme four-eight --method uniform --sharp sharp.txt", "--sharp has no meaning"),
+        ("--scheme loop --method uniform --blocks maximum", "--blocks has no meaning with --scheme loop"),
         ("--scheme loop --method uniform --sharp sharp.txt --sharp-angle 3", "cannot be used with"),
         ("--scheme loop --method uniform --sharp-angle 181", "expected degrees from 0 to 180"),
         ("--scheme loop --method uniform --sharp-angle -1", "expected degrees from 0 to 180"),
@@ -386,9 +391,30 @@ fn options_without_meaning_are_refused() {
     for options in [
         "--scheme loop --method incremental --rings 2 --weights warren --limit --boundary fixed --sharp sharp.txt",
         "--scheme modified-butterfly --method simple --boundary corners --sharp-angle 30",
+        "--scheme four-eight --method simple --blocks longest-edge",
     ] {
         desk.done(&format!("{refine} {options}"));
     }
+}
+
+#[test]
+fn blocks_are_told_and_vertices_named() {
+    let desk = Desk::new();
+    let sphere = shapes::icosahedron();
+    io::save(desk.path("sphere.off"), &sphere).unwrap();
+    let refine = "subdivide sphere.off -o o.off --scheme four-eight --method uniform --levels 2 --vertex-table v.tsv";
+    let all = desk.done(&format!("{refine} --face-table f.tsv --json"));
+    assert_eq!(all.json()["totals"]["faces"], 80);
+    assert!(!all.err.contains("in no block"), "{}", all.err);
+    let table = desk.read("f.tsv");
+    assert!(table.lines().skip(1).all(|line| line.split('\t').skip(1).take(2).eq(["2", "regular"])), "{table}");
+    // Without a search some faces are left, whose centres have three parents.
+    let some = desk.done(&format!("{refine} --blocks longest-edge"));
+    assert!(some.err.contains("in no block and split in three"), "{}", some.err);
+    let table = desk.read("v.tsv");
+    let parents = table.lines().skip(1).map(|line| line.split('\t').nth(2).unwrap().split(',').count());
+    let centers = parents.filter(|&count| count == 3).count();
+    assert!(some.err.contains(&format!("{centers} faces")), "{centers}: {}", some.err);
 }
 
 // What is refused, and what is left then.

@@ -15,7 +15,8 @@ use crate::step::Region;
 /// If each selection lies in the one that follows the step before (S' = S with the new vertices between two of its own),
 /// then for every r >= 1 and every number of steps each selected vertex has the same position, the same neighbours in the
 /// same order and the same neighbour positions as in the uniform mesh, bit for bit, for Loop and both Butterflies. The
-/// [certificate](crate::certify) tells what holds for other sequences. Source: `[incremental]`, section IV.
+/// [certificate](crate::certify) tells what holds for other sequences. For what holds of 4-8 see
+/// [`FourEight`](crate::scheme::FourEight). Source: `[incremental]`, section IV.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Incremental {
     rings: usize,

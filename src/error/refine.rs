@@ -49,8 +49,8 @@ pub enum RefineError {
     /// Under √3, a step by a method that promises exactness and one by a method that does not, in one run: the latter keeps
     /// positions of all levels from the first step on.
     OtherPositions,
-    /// The step has no masks to show to a follower: under √3, if the method does not promise exactness, positions are those
-    /// of many levels.
+    /// The step has no masks to show to a follower, as its positions are not made of those before it alone: under √3 if the
+    /// method does not promise exactness, under 4-8 if triangles of several generations are split, or beside others.
     NoMasks,
     /// Attributes of faces or their corners cannot be taken along by a step that cuts triangles in this way.
     Unfollowed {
@@ -86,7 +86,7 @@ impl fmt::Display for RefineError {
             ),
             Self::NoMasks => write!(
                 f,
-                "under sqrt3 nothing can follow the masks of a method that does not promise exactness; take another method"
+                "nothing can follow this step, as its positions are not made of those before it alone; take another method"
             ),
             Self::Unfollowed { asked } => write!(
                 f,

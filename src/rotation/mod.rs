@@ -23,6 +23,7 @@ mod walk;
 pub use circulator::Circulator;
 pub(crate) use hubs::Hubs;
 pub(crate) use regular::{Regular, Slots};
+pub(crate) use reverse::ReverseSlots;
 pub use ring::Ring;
 pub(crate) use ring::RingBuf;
 pub use transaction::Transaction;

@@ -11,14 +11,14 @@ const NONE: u32 = u32::MAX;
 /// [`Ring::slot_of`](super::Ring::slot_of) finds one in O(valence), which over all edges of a vertex of high valence is
 /// quadratic. This table takes O(vertices + edges) for all, also when the rings have defects: the first of repeated
 /// entries counts, and what is missing is `None`. It also numbers the directed edges, by their start and slot.
-pub(super) struct ReverseSlots {
+pub(crate) struct ReverseSlots {
     /// Where the edges of each vertex start, and their number at the end.
     starts: Vec<usize>,
     slots: Vec<u32>,
 }
 
 impl ReverseSlots {
-    pub(super) fn new(system: &RotationSystem) -> Self {
+    pub(crate) fn new(system: &RotationSystem) -> Self {
         let count = system.vertex_count();
         let mut starts = Vec::with_capacity(count + 1);
         let mut arriving = vec![0_usize; count + 1];
@@ -65,19 +65,19 @@ impl ReverseSlots {
 
     /// The slot of `v` in the ring of its neighbour at `slot`.
     #[inline]
-    pub(super) fn get(&self, v: VertexId, slot: usize) -> Option<usize> {
+    pub(crate) fn get(&self, v: VertexId, slot: usize) -> Option<usize> {
         let reverse = self.slots[self.number(v, slot)];
         (reverse != NONE).then_some(reverse as usize)
     }
 
     /// The number of the directed edge at a slot, below [`ReverseSlots::edge_count`].
     #[inline]
-    pub(super) fn number(&self, v: VertexId, slot: usize) -> usize {
+    pub(crate) fn number(&self, v: VertexId, slot: usize) -> usize {
         self.starts[v.index()] + slot
     }
 
     /// How many directed edges there are.
-    pub(super) fn edge_count(&self) -> usize {
+    pub(crate) fn edge_count(&self) -> usize {
         self.slots.len()
     }
 }

@@ -1,6 +1,6 @@
 //! Any scheme, chosen while the program runs.
 
-use super::{Butterfly, Loop, Midpoint, ModifiedButterfly, Reach, Scheme, Sqrt3};
+use super::{Butterfly, FourEight, Loop, Midpoint, ModifiedButterfly, Reach, Scheme, Sqrt3};
 use crate::step::SplitKind;
 
 /// One of the schemes. The pipeline tells them apart once a step; inside a step everything is static.
@@ -17,6 +17,8 @@ pub enum AnyScheme {
     Midpoint(Midpoint),
     /// [`Sqrt3`].
     Sqrt3(Sqrt3),
+    /// [`FourEight`].
+    FourEight(FourEight),
 }
 
 /// Does the same for whichever [`Scheme`] of the split in four it is, and something else for all others.
@@ -27,7 +29,7 @@ macro_rules! with_scheme {
             $crate::scheme::AnyScheme::Butterfly($scheme) => $do,
             $crate::scheme::AnyScheme::ModifiedButterfly($scheme) => $do,
             $crate::scheme::AnyScheme::Midpoint($scheme) => $do,
-            $crate::scheme::AnyScheme::Sqrt3(_) => $otherwise,
+            $crate::scheme::AnyScheme::Sqrt3(_) | $crate::scheme::AnyScheme::FourEight(_) => $otherwise,
         }
     };
 }
@@ -42,6 +44,7 @@ impl AnyScheme {
                 SplitKind::Quadrisect
             }
             Self::Sqrt3(_) => SplitKind::Trisect,
+            Self::FourEight(_) => SplitKind::Bisect,
         }
     }
 
@@ -74,4 +77,4 @@ macro_rules! from_scheme {
     };
 }
 
-from_scheme!(Loop, Butterfly, ModifiedButterfly, Midpoint, Sqrt3);
+from_scheme!(Loop, Butterfly, ModifiedButterfly, Midpoint, Sqrt3, FourEight);

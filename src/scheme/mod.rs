@@ -16,6 +16,7 @@
 
 mod any;
 mod butterfly;
+mod four_eight;
 mod loop_;
 mod mask;
 mod midpoint;
@@ -25,6 +26,7 @@ mod sqrt3;
 pub use any::AnyScheme;
 pub(crate) use any::with_scheme;
 pub use butterfly::Butterfly;
+pub use four_eight::FourEight;
 pub use loop_::{Loop, LoopWeights};
 pub(crate) use loop_::{cos_of_turn, crease_neighbors};
 pub(crate) use mask::WeightedSum;

@@ -3,9 +3,15 @@
 //! A step is a plan, which only reads, and its application, which rewrites rings in place. It
 //! sees no coordinate; where a choice may depend on one, in faces with two split edges, the caller decides.
 //!
+//! There is one way for each kind of split: `quadrisect` of a region and `whole`, and `bisect`, which stands on `generation` and
+//! `matching`.
+//!
 //! **Deliberately not here**: positions, tags, weights.
 
+pub(crate) mod bisect;
 mod diagonal;
+pub(crate) mod generation;
+pub(crate) mod matching;
 mod peers;
 pub(crate) mod quadrisect;
 pub(crate) mod trisect;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::{Exactness, Lineage, Motions, SplitKind};
+use super::{Bisections, Exactness, Lineage, Motions, SplitKind};
 use crate::error::RefineError;
 use crate::id::{Edge, Triangle, VertexId};
 use crate::mesh::Mesh;
@@ -37,6 +37,8 @@ pub struct History {
     exactness: Option<Exactness>,
     /// Of every vertex, if the steps are those that need it.
     motions: Option<Motions>,
+    /// From the first bisection on.
+    bisections: Option<Box<Bisections>>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -105,6 +107,7 @@ impl History {
             names: keep.names.then(Names::default),
             exactness: keep.certificate.then(Exactness::new),
             motions: None,
+            bisections: None,
         }
     }
 
@@ -121,6 +124,7 @@ impl History {
             names: None,
             exactness: None,
             motions: None,
+            bisections: None,
         }
     }
 
@@ -273,6 +277,21 @@ impl History {
         self.motions = Some(motions);
     }
 
+    /// How many input triangles found no partner for bisection, so that they were or will be split at their centre; `None`
+    /// before the first bisection.
+    #[must_use]
+    pub fn unmatched_faces(&self) -> Option<usize> {
+        self.bisections.as_ref().map(|bisections| bisections.blocks.unmatched())
+    }
+
+    pub(crate) fn bisections(&self) -> Option<&Bisections> {
+        self.bisections.as_deref()
+    }
+
+    pub(crate) fn bisections_mut(&mut self) -> &mut Bisections {
+        self.bisections.get_or_insert_default()
+    }
+
     /// The level of the vertex that splits this edge.
     pub(crate) fn child_level(&self, [p, q]: [VertexId; 2]) -> Result<u8, RefineError> {
         let level = |v| self.level(v).unwrap_or(0);
@@ -319,5 +338,6 @@ impl History {
             + self.levels.as_ref().map_or(0, Vec::capacity)
             + self.exactness.as_ref().map_or(0, Exactness::memory_bytes)
             + self.motions.as_ref().map_or(0, Motions::memory_bytes)
+            + self.bisections.as_ref().map_or(0, |bisections| bisections.memory_bytes())
     }
 }

@@ -6,6 +6,7 @@
 //!
 //! **Deliberately not here**: what is done with them; see [`crate::subdivide`].
 
+mod blocks;
 mod exactness;
 mod history;
 mod kind;
@@ -14,6 +15,8 @@ mod motion;
 mod parent;
 mod region;
 
+pub use blocks::Blocks;
+pub(crate) use blocks::{Bisections, InputBlocks};
 pub use exactness::{Cause, Spoiler};
 pub(crate) use exactness::{Exactness, Proof};
 pub use history::{History, Keep};

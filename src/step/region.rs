@@ -6,7 +6,8 @@ use crate::id::{Edge, VertexId};
 
 /// What one step refines: the vertices that take part and the edges that are split.
 ///
-/// Even vertices of the region are moved by the scheme; faces of which only some edges are split are closed afterwards.
+/// Even vertices of the region are moved by the scheme; faces of which only some edges are split are closed afterwards. A
+/// bisection takes the faces of which all edges are of the region, and what has to be refined before them.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Region {
     kind: RegionKind,

@@ -13,6 +13,7 @@
 //! **Deliberately not here**: what is refined ([`crate::adaptive`]), weights ([`crate::scheme`]), rings
 //! ([`crate::split`]).
 
+mod bisect;
 mod follow;
 mod positions;
 mod trisect;
@@ -89,11 +90,12 @@ pub struct Step {
     pub region: usize,
     /// How many edges were split, which is the number of new vertices; under √3 the boundary edges that were cut in three.
     pub split_edges: usize,
-    /// The new vertices with a triangle beside them that was not split in four, ascending; none under √3.
+    /// The new vertices with a triangle beside them that was not split in four, ascending; none under √3 and 4-8.
     pub t_vertices: Vec<VertexId>,
-    /// The old vertices to which closing added neighbours, ascending; none under √3.
+    /// The old vertices to which closing added neighbours, ascending; none under √3 and 4-8.
     pub o_vertices: Vec<VertexId>,
-    /// How many vertices of the mesh are certified after the step; `None` if the history keeps no certificate, as under √3.
+    /// How many vertices of the mesh are certified after the step; `None` if the history keeps no certificate, as under √3 and
+    /// 4-8.
     pub certified: Option<usize>,
     /// Selected vertices for which this step was not proven exact although the method promises it, because the
     /// selection did not follow the refinement. Empty without a certificate.
@@ -190,6 +192,7 @@ impl Subdivider {
                 let exact = self.method.promises_exactness();
                 trisect::step(scheme, exact, mesh, history, selection, &region, scratch, control)
             }
+            AnyScheme::FourEight(scheme) => bisect::step(scheme, mesh, history, selection, &region, scratch, control),
             _ => self.quadrisect(mesh, history, selection, &region, scratch, control),
         };
         scratch.give_list(region.into_list());

@@ -11,7 +11,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 use vvmesh::{Mesh, io, shapes};
 
-pub const SCHEMES: [&str; 5] = ["loop", "butterfly", "modified-butterfly", "midpoint", "sqrt3"];
+pub const SCHEMES: [&str; 6] = ["loop", "butterfly", "modified-butterfly", "midpoint", "sqrt3", "four-eight"];
 pub const METHODS: [&str; 3] = ["uniform", "simple", "incremental"];
 
 /// Faces with one fault each, and the kind that is found.

@@ -208,6 +208,9 @@ pub(crate) struct RefineArguments {
     /// Weights of smooth vertices under `loop` [default: loop]
     #[arg(long)]
     pub(crate) weights: Option<WeightsName>,
+    /// How `four-eight` pairs the faces of the input: as many as can be, or the longest edges first [default: maximum]
+    #[arg(long)]
+    pub(crate) blocks: Option<BlocksName>,
     #[command(flatten)]
     pub(crate) tags: TagArguments,
     /// Put the vertices where infinitely many steps of `loop` would
@@ -279,6 +282,14 @@ pub(crate) enum SchemeName {
     ModifiedButterfly,
     Midpoint,
     Sqrt3,
+    #[value(name = "four-eight")]
+    FourEight,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum BlocksName {
+    Maximum,
+    LongestEdge,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]

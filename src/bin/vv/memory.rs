@@ -93,6 +93,7 @@ fn weights_a_row(mesh: &Mesh, scheme: SchemeName) -> f64 {
         SchemeName::Butterfly => 24.0,
         SchemeName::Loop => 12.0 * irregular,
         SchemeName::Sqrt3 => 18.0 * irregular,
+        SchemeName::FourEight => 28.0 * irregular,
         SchemeName::ModifiedButterfly => 24.0 * irregular,
     }
 }

@@ -5,18 +5,19 @@ use std::path::PathBuf;
 use vvmesh::adaptive::{Incremental, Simple, Uniform};
 use vvmesh::certify::Certificate;
 use vvmesh::error::RefineError;
-use vvmesh::scheme::{AnyScheme, Butterfly, Loop, Midpoint, ModifiedButterfly, Sqrt3};
+use vvmesh::scheme::{AnyScheme, Butterfly, FourEight, Loop, Midpoint, ModifiedButterfly, Sqrt3};
 use vvmesh::select::Expression;
-use vvmesh::step::{Cause, Keep, Spoiler};
+use vvmesh::step::{Blocks, Cause, Keep, SplitKind, Spoiler};
 use vvmesh::subdivide::{Control, Follower, Subdivider};
 use vvmesh::{Mesh, VertexId};
 
-use crate::args::{MethodName, RefineArguments, SchemeName, loop_weights};
+use crate::args::{BlocksName, MethodName, RefineArguments, SchemeName, loop_weights};
 use crate::console::{Failure, note, refuse, warning};
 use crate::memory::FaceLimit;
 use crate::outputs::{MESH, Named};
 use crate::progress::Bar;
 use crate::run::Run;
+use crate::table::count;
 use crate::{input, sharp};
 
 /// How many examples a warning gives.
@@ -48,7 +49,11 @@ pub(crate) fn begin(
 ) -> Result<Run, Failure> {
     sharp::tag(&mut mesh, &arguments.tags)?;
     if arguments.method == MethodName::Uniform {
-        let parts = if arguments.scheme == SchemeName::Sqrt3 { 3 } else { 4 };
+        let parts = match scheme(arguments).split_kind() {
+            SplitKind::Quadrisect => 4,
+            SplitKind::Trisect => 3,
+            SplitKind::Bisect => 2,
+        };
         limit.refuse_uniform(mesh.face_count(), parts, arguments.levels)?;
     }
     let mut run = Run::new(mesh, subdivider, keep);
@@ -89,6 +94,10 @@ pub(crate) fn refine(
                 other => format!("level {level}: {other}. Nothing was written"),
             })
         })?;
+        if level == 1 {
+            bar.hide();
+            tell_of_unmatched(run);
+        }
         if !step.unproven.is_empty() {
             bar.hide();
             warn_of_unproven(level, &step.unproven, step.selected, &doubts);
@@ -137,6 +146,14 @@ pub(crate) fn scheme(arguments: &RefineArguments) -> AnyScheme {
         SchemeName::ModifiedButterfly => ModifiedButterfly.into(),
         SchemeName::Midpoint => Midpoint.into(),
         SchemeName::Sqrt3 => Sqrt3::default().into(),
+        SchemeName::FourEight => FourEight::new(blocks(arguments)).into(),
+    }
+}
+
+fn blocks(arguments: &RefineArguments) -> Blocks {
+    match arguments.blocks {
+        None | Some(BlocksName::Maximum) => Blocks::Maximum,
+        Some(BlocksName::LongestEdge) => Blocks::LongestEdge,
     }
 }
 
@@ -168,6 +185,11 @@ fn refuse_without_meaning(arguments: &RefineArguments, scheme: &AnyScheme) -> Re
         ),
         ("--weights", arguments.weights.is_some() && !is_loop, format!("--scheme {name}: its weights are fixed")),
         (
+            "--blocks",
+            arguments.blocks.is_some() && *name != SchemeName::FourEight,
+            format!("--scheme {name}: only `four-eight` pairs faces"),
+        ),
+        (
             "--limit",
             arguments.limit && !is_loop,
             format!("--scheme {name}: it goes with `loop` only; `vv limit` knows other schemes"),
@@ -179,6 +201,14 @@ fn refuse_without_meaning(arguments: &RefineArguments, scheme: &AnyScheme) -> Re
     match refusals.iter().chain(&tag).find(|(_, refused, _)| *refused) {
         Some((option, _, reason)) => refuse(format!("{option} has no meaning with {reason}; leave it out")),
         None => Ok(()),
+    }
+}
+
+/// Tells how many input faces are in no block, if any.
+fn tell_of_unmatched(run: &Run) {
+    if let Some(unmatched @ 1..) = run.history.unmatched_faces() {
+        let faces = count(unmatched, "face is", "faces are");
+        note(format_args!("{faces} in no block and split in three"));
     }
 }
 
