@@ -114,6 +114,10 @@ pub(crate) struct Handed {
 ///
 /// Position of an even vertex: its star, if the scheme moves it, else its own position. Position of an odd vertex: as
 /// the [`Reach`] of the scheme says. Rotation: its own, or that of one end, if [`after`] finds all refined around it.
+///
+/// The tags at a vertex are those of the uniform mesh where its rotation is proven: an edge with the name that it has there
+/// was split as often, and under Chaikin's rule so were all edges at its old end. But of an odd vertex between semi-sharp
+/// halves both ends must be proven then, as the halves depend on other edges at either.
 pub(crate) fn before(
     handed: &mut Handed,
     exactness: &mut Exactness,
@@ -141,6 +145,7 @@ pub(crate) fn before(
         exactness.spoil(v, facts.spoiler);
     }
     odd.clear();
+    let around = mesh.neighborhood();
     odd.extend(plan.edges.iter().map(|edge| {
         let [p, q] = edge.ends();
         let both = |proof| exactness.holds(proof, p) && exactness.holds(proof, q);
@@ -150,8 +155,9 @@ pub(crate) fn before(
             Reach::OneStar => one(Proof::Star),
             Reach::BothStars => both(Proof::Star),
         };
+        let rotation = if around.averages_sharpness(p, q) { both(Proof::Rotation) } else { one(Proof::Rotation) };
         let spoiler = if both(Proof::Star) { None } else { exactness.spoiler(p).or(exactness.spoiler(q)) };
-        Facts { position, rotation: one(Proof::Rotation), spoiler }
+        Facts { position, rotation, spoiler }
     }));
     handed.moves_even = moves_even;
 }

@@ -6,8 +6,8 @@
 //! # Tour
 //!
 //! A [`Mesh`] is a [`RotationSystem`], which holds for every vertex the ring of its neighbours, with a position for each vertex
-//! and tags for sharp edges and corners. It is read from a file ([`io`]), built from triangles ([`Mesh::from_triangles`]), or
-//! one of the [`shapes`].
+//! and tags for edges and vertices that are sharp, for ever or for some steps. It is read from a file ([`io`]), built from
+//! triangles ([`Mesh::from_triangles`]), or one of the [`shapes`].
 //!
 //! ```
 //! use vvmesh::{VertexId, shapes};
@@ -96,6 +96,9 @@
 #![doc = include_str!("../docs/boundary.svg")]
 //!
 //! **Crease, corner, dart**: a chain of sharp edges; a vertex with three or more of them, or tagged; the end of one crease.
+//!
+//! **Sharpness, semi-sharp**: for how many steps an edge or a vertex is sharp, with a part of a step at the end; above 0 and
+//! not infinite.
 //!
 #![doc = include_str!("../docs/features.svg")]
 //!

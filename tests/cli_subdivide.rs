@@ -12,12 +12,13 @@ use vvmesh::adaptive::{Incremental, Uniform};
 use vvmesh::certify::Certificate;
 use vvmesh::glam::DVec3;
 use vvmesh::limit::{Limit, LoopLimit};
+use vvmesh::mesh::{BoundaryPolicy, Sharpness, SharpnessRule};
 use vvmesh::scheme::{Loop, LoopWeights};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Disk, Selection};
 use vvmesh::step::{History, Keep};
 use vvmesh::subdivide::{Control, Subdivider};
-use vvmesh::{Edge, VertexId, io, shapes};
+use vvmesh::{Edge, Mesh, VertexId, io, shapes};
 
 // What it makes.
 
@@ -272,7 +273,7 @@ fn weights_and_limit_are_those_of_the_library() {
     let refine = "subdivide octahedron.off -o o.off --scheme loop --method uniform";
     desk.done(&format!("{refine} --levels 0 --limit"));
     let limit = LoopLimit::new(LoopWeights::Loop);
-    let expected: Vec<DVec3> = tip.vertices().map(|v| limit.position(&tip, v)).collect();
+    let expected: Vec<DVec3> = tip.vertices().map(|v| limit.position(&tip, v).unwrap()).collect();
     assert_eq!(desk.mesh("o.off").positions(), expected);
 
     desk.done(&format!("{refine} --levels 1 --weights warren"));
@@ -326,6 +327,147 @@ fn sharp_edges_come_by_angle_or_from_a_file() {
     assert_eq!(desk.mesh("o.off").positions(), octahedron.positions());
 }
 
+/// The mesh after two uniform steps of Loop.
+fn refined_twice(mut mesh: Mesh) -> Mesh {
+    let mut history = History::new(&mesh, Keep::default());
+    let subdivider = Subdivider::new(Loop::default(), Uniform);
+    for _ in 0..2 {
+        let (mut scratch, mut control) = (Scratch::new(), Control::default());
+        subdivider.step(&mut mesh, &mut history, &Selection::empty(), &mut scratch, &mut control).expect("a step");
+    }
+    mesh
+}
+
+/// The grid, bent, so that a sharp edge makes a difference.
+fn bent(desk: &Desk) -> Mesh {
+    let mut mesh = desk.mesh("grid.obj");
+    for p in mesh.positions_mut() {
+        p.z = p.x * p.y + p.y * p.y * p.y;
+    }
+    io::save(desk.path("bent.obj"), &mesh).expect("a file");
+    mesh
+}
+
+#[test]
+fn sharpness_is_read_from_a_file() {
+    let desk = Desk::new();
+    let input = bent(&desk);
+    let [a, b, c] = [7, 8, 9].map(VertexId::new);
+    let mut tagged = input.clone();
+    for (edge, value) in [(Edge::new(a, b), 1.25), (Edge::new(b, c), 3.0)] {
+        tagged.set_sharpness(edge, Sharpness::new(value).unwrap());
+    }
+    tagged.set_vertex_sharpness(a, Sharpness::new(0.5).unwrap());
+    // The last line on an edge counts, and 0 takes a tag off.
+    desk.write("sharp.txt", "7 8 inf\n8 7 1.25\n8 9 3e0 # three\n7 - .5\n9\n9 - 0\n13 14\n13 14 0\n");
+    let refine = "subdivide bent.obj --scheme loop --levels 2 --method uniform";
+    for (option, rule) in [("uniform", SharpnessRule::Uniform), ("chaikin", SharpnessRule::Chaikin)] {
+        let ran = desk.done(&format!("{refine} -o {option}.obj --sharp sharp.txt --creases {option} --json"));
+        tagged.set_sharpness_rule(rule);
+        assert_eq!(desk.mesh(&format!("{option}.obj")).positions(), refined_twice(tagged.clone()).positions());
+        assert_eq!(ran.json()["creases"], option);
+    }
+    assert!(desk.read("uniform.obj") != desk.read("chaikin.obj"));
+    desk.done(&format!("{refine} -o default.obj --sharp sharp.txt"));
+    assert!(desk.read("default.obj") == desk.read("uniform.obj"));
+}
+
+#[test]
+fn no_limit_is_known_before_all_has_faded() {
+    let desk = Desk::new();
+    desk.write("sharp.txt", "7 8 2.5\n13 - 1\n");
+    let refine = "subdivide grid.obj -o o.obj --scheme loop --sharp sharp.txt --limit";
+    for (levels, left) in [(0, "3 more levels"), (1, "2 more levels"), (2, "1 more level everywhere")] {
+        desk.vv(&format!("{refine} --method uniform --levels {levels}")).assert_refused(left);
+        assert!(!desk.path("o.obj").exists());
+    }
+    desk.done(&format!("{refine} --method uniform --levels 3"));
+    // What is not refined does not fade.
+    let far = "--method incremental --levels 3 --select vertices:29";
+    desk.vv(&format!("{refine} {far}")).assert_refused("3 more levels everywhere");
+}
+
+#[test]
+fn butterfly_takes_no_finite_sharpness() {
+    let desk = Desk::new();
+    let refine =
+        "subdivide grid.obj -o o.obj --scheme modified-butterfly --levels 1 --method uniform --sharp sharp.txt";
+    desk.write("sharp.txt", "7 8 2.5\n");
+    desk.vv(refine).assert_refused("--scheme modified-butterfly cannot blend masks");
+    desk.write("sharp.txt", "7 8 2.5\n7 8 inf\n");
+    desk.done(refine);
+}
+
+const TAGS: &str = "\
+t crease 2/1/0 7 8 1.5
+t crease 2/1/0 8 9 10
+t corner 1/1/0 13 0.75
+t interpolateboundary 1/0/0 1
+t hole 1/0/0 3
+";
+
+#[test]
+fn tag_lines_are_read_on_request() {
+    let desk = Desk::new();
+    let mut tagged = bent(&desk);
+    desk.write("tagged.obj", desk.read("bent.obj") + TAGS);
+    let refine = "subdivide tagged.obj -o o.obj --scheme loop --levels 2 --method uniform --tags obj";
+    let [a, b, c, v] = [7, 8, 9, 13].map(VertexId::new);
+    tagged.set_sharpness(Edge::new(a, b), Sharpness::new(1.5).unwrap());
+    tagged.set_sharp(Edge::new(b, c), true);
+    tagged.set_vertex_sharpness(v, Sharpness::new(0.75).unwrap());
+    let mut cornered = tagged.clone();
+    cornered.apply_boundary_policy(BoundaryPolicy::Corners);
+
+    let ran = desk.done(&format!("{refine} --json"));
+    assert!(ran.err.contains("1 unknown statement ignored, first 't hole'"), "{}", ran.err);
+    assert!(!ran.err.contains("tag line"), "{}", ran.err);
+    assert_eq!(ran.json()["boundary"], "corners");
+    assert_eq!(desk.mesh("o.obj").positions(), refined_twice(cornered.clone()).positions());
+    // Options win over the file.
+    desk.done(&format!("{refine} --boundary smooth"));
+    assert_eq!(desk.mesh("o.obj").positions(), refined_twice(tagged).positions());
+    desk.write("sharp.txt", "8 7 0\n13 - 2\n");
+    cornered.set_sharp(Edge::new(a, b), false);
+    cornered.set_vertex_sharpness(v, Sharpness::new(2.0).unwrap());
+    desk.done(&format!("{refine} --sharp sharp.txt"));
+    assert_eq!(desk.mesh("o.obj").positions(), refined_twice(cornered).positions());
+
+    let ran = desk.done("subdivide grid.obj -o o.obj --scheme loop --levels 0 --method uniform --tags obj");
+    assert!(ran.err.contains("there are no tag lines in it"), "{}", ran.err);
+}
+
+#[test]
+fn wrong_tag_lines_are_refused_where_they_are_read() {
+    let desk = Desk::new();
+    let grid = desk.read("grid.obj");
+    let line = grid.lines().count() + 1;
+    let refine = "subdivide tagged.obj -o o.obj --scheme loop --levels 1 --method uniform";
+    for (tag, words) in [
+        ("crease 2/1/0 7 8", "expected 't crease 2/1/0 V1 V2 S'"),
+        ("crease 2/0/0 7 8 1", "expected 't crease 2/1/0 V1 V2 S'"),
+        ("crease 2/1/0 7 8 -1", "sharpness = -1: a number, 0 (smooth) or more"),
+        ("crease 2/1/0 7 8 soft", "expected a number, found 'soft'"),
+        ("crease 2/1/0 7 8.5 1", "expected a whole number, found '8.5'"),
+        ("crease 2/1/0 7 30 1", "vertex (counted from 0) 30, there are 30"),
+        ("crease 2/1/0 -1 7 1", "vertex (counted from 0) -1, there are 30"),
+        ("crease 2/1/0 7 9 1", "no edge between the vertices 7 and 9, counted from 0"),
+        ("crease 2/1/0 7 7 1", "no edge between the vertices 7 and 7"),
+        ("corner 1/1/0 7", "expected 't corner 1/1/0 V S'"),
+        ("corner 1/1/0 99 1", "vertex (counted from 0) 99"),
+        ("interpolateboundary 1/0/0 0", "with 1 (edges and corners) or 2 (edges only), found"),
+    ] {
+        desk.write("tagged.obj", format!("{grid}t {tag}\n"));
+        let ran = desk.vv(&format!("{refine} --tags obj"));
+        ran.assert_refused(words);
+        assert!(ran.err.contains(&format!("tagged.obj: line {line}: ")), "{}", ran.err);
+        desk.done(refine);
+        fs::remove_file(desk.path("o.obj")).unwrap();
+    }
+    let off = "subdivide torus.off -o o.obj --scheme loop --levels 1 --method uniform --tags obj";
+    desk.vv(off).assert_refused("torus.off is OFF, which has no tag lines");
+}
+
 #[test]
 fn a_wrong_sharp_file_is_refused_at_its_line() {
     let desk = Desk::new();
@@ -335,9 +477,11 @@ fn a_wrong_sharp_file_is_refused_at_its_line() {
         ("0 30", "no vertex 30"),
         ("99999999999999999999999", "no vertex 99999999999999999999999"),
         ("5 5", "from vertex 5 to itself"),
-        ("0 1 2.5", "finite sharpness (2.5) is not supported"),
-        ("0 1 0", "finite sharpness (0)"),
-        ("0 1 nan", "expected the sharpness `inf`, found `nan`"),
+        ("0 1 nan", "expected a sharpness, 0 (smooth) or more or `inf`, found `nan`"),
+        ("0 1 -0.5", "found `-0.5`"),
+        ("0 - x", "expected a sharpness, 0 (smooth) or more or `inf`, found `x`"),
+        ("0 -", "expected the id of a vertex, found `-`"),
+        ("30 - 1", "no vertex 30"),
         ("0 1 -inf", "found `-inf`"),
         ("0 1 sharp", "found `sharp`"),
         ("-1", "expected the id of a vertex, found `-1`"),
@@ -379,6 +523,8 @@ fn options_without_meaning_are_refused() {
         ("--scheme four-eight --method uniform --boundary fixed", "--boundary has no meaning"),
         ("--scheme four-eight --method uniform --sharp sharp.txt", "--sharp has no meaning"),
         ("--scheme loop --method uniform --blocks maximum", "--blocks has no meaning with --scheme loop"),
+        ("--scheme butterfly --method uniform --tags obj", "--tags has no meaning with --scheme butterfly"),
+        ("--scheme modified-butterfly --method uniform --creases chaikin", "--creases has no meaning"),
         ("--scheme loop --method uniform --sharp sharp.txt --sharp-angle 3", "cannot be used with"),
         ("--scheme loop --method uniform --sharp-angle 181", "expected degrees from 0 to 180"),
         ("--scheme loop --method uniform --sharp-angle -1", "expected degrees from 0 to 180"),
@@ -392,6 +538,7 @@ fn options_without_meaning_are_refused() {
         "--scheme loop --method incremental --rings 2 --weights warren --limit --boundary fixed --sharp sharp.txt",
         "--scheme modified-butterfly --method simple --boundary corners --sharp-angle 30",
         "--scheme four-eight --method simple --blocks longest-edge",
+        "--scheme loop --method simple --creases chaikin",
     ] {
         desk.done(&format!("{refine} {options}"));
     }
@@ -564,17 +711,21 @@ fn uniform_loop_equals_the_reference() {
                 continue;
             }
             let input = folder.join(format!("{name}_0.obj"));
-            desk.done(&format!(
-                "subdivide {} -o o.obj --scheme loop --levels {level} --method uniform",
-                input.display()
-            ));
-            let [ours, theirs] = [desk.path("o.obj"), reference].map(|path| io::read(path).unwrap().faces.positions);
-            assert_eq!(ours.len(), theirs.len(), "{name} {level}");
-            let is_near = |of: &[DVec3], p: DVec3| of.iter().any(|q| q.distance(p) <= 2e-6);
-            assert!(
-                ours.iter().all(|&p| is_near(&theirs, p)) && theirs.iter().all(|&p| is_near(&ours, p)),
-                "{name} {level}"
-            );
+            // What the tag lines of these meshes say is what holds without them.
+            for tags in ["", "--tags obj"] {
+                desk.done(&format!(
+                    "subdivide {} -o o.obj --scheme loop --levels {level} --method uniform {tags}",
+                    input.display()
+                ));
+                let [ours, theirs] =
+                    [desk.path("o.obj"), reference.clone()].map(|path| io::read(path).unwrap().faces.positions);
+                assert_eq!(ours.len(), theirs.len(), "{name} {level}");
+                let is_near = |of: &[DVec3], p: DVec3| of.iter().any(|&q| (q - p).abs().max_element() <= 1e-6);
+                assert!(
+                    ours.iter().all(|&p| is_near(&theirs, p)) && theirs.iter().all(|&p| is_near(&ours, p)),
+                    "{name} {level} {tags}"
+                );
+            }
         }
     }
 }

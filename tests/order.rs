@@ -4,10 +4,10 @@
 
 mod common;
 
-use common::random::{Closed, Picks, Random, Surface, WithBoundary, check};
+use common::random::{Closed, Picks, Random, Surface, WithBoundary, check, semi_sharp};
 use common::run::{MeshBits, Run, bits, renamed};
 use vvmesh::adaptive::{Incremental, Uniform};
-use vvmesh::mesh::Permutation;
+use vvmesh::mesh::{Permutation, SharpnessRule};
 use vvmesh::query::r_disk;
 use vvmesh::scheme::{AnyScheme, Butterfly, Loop, Midpoint, ModifiedButterfly};
 use vvmesh::scratch::Scratch;
@@ -25,9 +25,10 @@ fn random_permutation(mesh: &Mesh, random: &mut Random) -> Permutation {
 }
 
 fn the_way_back_gives_the_same_mesh<S: Surface>(surface: S, seed: u32) {
-    let mesh = surface.mesh();
+    let mesh = semi_sharp(surface.mesh(), u64::from(seed), SharpnessRule::Chaikin);
     let permutation = random_permutation(&mesh, &mut Random::new(u64::from(seed)));
     let shuffled = mesh.renumbered(&permutation);
+    assert_eq!(shuffled.tags().rule(), SharpnessRule::Chaikin);
     assert_eq!(shuffled.rotation().validate_triangles(), []);
     assert_eq!(MeshBits::of(&shuffled.renumbered(&permutation.inverse())), MeshBits::of(&mesh));
     for v in mesh.vertices() {

@@ -15,6 +15,7 @@ use generate::{Closed, Script, WithBoundary, check};
 use model::{PlainRing, Triangles, classes, is_rotation_system, is_triangular};
 use vvmesh::error::EditError;
 use vvmesh::glam::DVec3;
+use vvmesh::mesh::Sharpness;
 use vvmesh::{DirectedEdge, Edge, Mesh, RotationSystem, VertexId};
 
 fn id(v: usize) -> VertexId {
@@ -48,21 +49,46 @@ impl<const N: usize> Seen<N> {
 
 static TRIANGLE_EDITS: Seen<3> = Seen::new();
 
+/// What is sharp, ascending, with its sharpness.
+type Tagged<K> = Vec<(K, Sharpness)>;
+
 /// All that a mesh is, bit by bit.
-fn state(mesh: &Mesh) -> (Vec<PlainRing>, Vec<[u64; 3]>, Vec<Edge>, Vec<VertexId>) {
+fn state(mesh: &Mesh) -> (Vec<PlainRing>, Vec<[u64; 3]>, Tagged<Edge>, Tagged<VertexId>) {
     let bits = mesh.positions().iter().map(|p| p.to_array().map(f64::to_bits)).collect();
-    (plain(mesh.rotation()), bits, mesh.tags().sharp_edges(), mesh.tags().corners())
+    (plain(mesh.rotation()), bits, edges(mesh), vertices(mesh))
+}
+
+fn edges(mesh: &Mesh) -> Tagged<Edge> {
+    mesh.tags().sharp_edges().into_iter().map(|edge| (edge, mesh.tags().sharpness(edge))).collect()
+}
+
+fn vertices(mesh: &Mesh) -> Tagged<VertexId> {
+    mesh.tags().sharp_vertices().into_iter().map(|v| (v, mesh.tags().vertex_sharpness(v))).collect()
+}
+
+/// Of two that become one the sharper counts.
+fn merged<K: Ord>(tags: impl IntoIterator<Item = (K, Sharpness)>) -> BTreeMap<K, Sharpness> {
+    let mut merged = BTreeMap::new();
+    for (key, sharpness) in tags {
+        let kept = merged.entry(key).or_insert(sharpness);
+        *kept = if sharpness > *kept { sharpness } else { *kept };
+    }
+    merged
 }
 
 fn run_on_triangles(mut mesh: Mesh, script: &Script) {
     let mut triangles = Triangles::new(mesh.triangles().map(|t| t.corners().map(VertexId::index)));
-    let mut sharp = BTreeSet::new();
-    for edge in mesh.edges().step_by(5).collect::<Vec<_>>() {
-        mesh.set_sharp(edge, true);
-        sharp.insert(edge);
+    let mut sharp = BTreeMap::new();
+    for (k, edge) in mesh.edges().step_by(5).collect::<Vec<_>>().into_iter().enumerate() {
+        let semi_sharp = k % 3 > 0 && !mesh.rotation().is_boundary_edge(edge.ends()[0], edge.ends()[1]);
+        let sharpness = if semi_sharp { Sharpness::new(0.3 * k as f64).unwrap() } else { Sharpness::INFINITE };
+        mesh.set_sharpness(edge, sharpness);
+        sharp.insert(edge, sharpness);
     }
-    let mut corners = BTreeSet::from([id(0)]);
-    mesh.set_corner(id(0), true);
+    let mut corners = BTreeMap::from([(id(0), Sharpness::INFINITE), (id(1), Sharpness::new(1.5).unwrap())]);
+    for (&v, &sharpness) in &corners {
+        mesh.set_vertex_sharpness(v, sharpness);
+    }
 
     for (step, &(kind, at)) in script.iter().enumerate() {
         let [a, b] = choose_edge(&mesh, kind, at);
@@ -86,15 +112,15 @@ fn run_on_triangles(mut mesh: Mesh, script: &Script) {
                         (left, _) => vec![b, left.unwrap(), a],
                     };
                     assert_eq!(plain(mesh.rotation())[x], (ring, left.is_none() || right.is_none()));
-                    if sharp.remove(&edge) {
-                        sharp.extend([a, b].map(|end| Edge::new(id(end), id(x))));
+                    if let Some(sharpness) = sharp.remove(&edge) {
+                        sharp.extend([a, b].map(|end| (Edge::new(id(end), id(x)), sharpness)));
                     }
                     image = Box::new(move |v, w| Some(if (v, w) == (a, b) || (v, w) == (b, a) { x } else { w }));
                 }
                 (is_edge.then(|| triangles.split(a, b, x)), made.err())
             }
             1 => {
-                let expected = if sharp.contains(&edge) { None } else { triangles.flip(a, b) };
+                let expected = if sharp.contains_key(&edge) { None } else { triangles.flip(a, b) };
                 let made = mesh.flip(id(a), id(b));
                 if let Ok(made) = made {
                     let [c, d] = [(a, b), (b, a)].map(|(a, b)| id(triangles.left(a, b).unwrap()));
@@ -107,13 +133,10 @@ fn run_on_triangles(mut mesh: Mesh, script: &Script) {
                 if made.is_ok() {
                     assert_eq!((mesh.position(id(a)), mesh.ring(id(b)).valence()), (position, 0));
                     let moved = |v: VertexId| if v == id(b) { id(a) } else { v };
-                    sharp = sharp
-                        .iter()
-                        .filter(|&&e| e != edge)
-                        .map(|e| e.ends().map(moved))
-                        .map(|[p, q]| Edge::new(p, q))
-                        .collect();
-                    corners = corners.iter().copied().map(moved).collect();
+                    let moved_edge = |e: Edge| Edge::new(moved(e.ends()[0]), moved(e.ends()[1]));
+                    sharp.remove(&edge);
+                    sharp = merged(sharp.iter().map(|(&e, &sharpness)| (moved_edge(e), sharpness)));
+                    corners = merged(corners.iter().map(|(&v, &sharpness)| (moved(v), sharpness)));
                     let rings = before.0.clone();
                     image = Box::new(move |v, w| match w {
                         _ if (v, w) == (a, b) => None,
@@ -131,8 +154,8 @@ fn run_on_triangles(mut mesh: Mesh, script: &Script) {
             (None, Some(_)) => assert_eq!(state(&mesh), before, "a refused edit changed the mesh"),
             (expected, made) => panic!("edit {kind} at {a}-{b}: legal is {}, but {made:?}", expected.is_some()),
         }
-        assert_eq!(mesh.tags().sharp_edges(), sharp.iter().copied().collect::<Vec<_>>());
-        assert_eq!(mesh.tags().corners(), corners.iter().copied().collect::<Vec<_>>());
+        assert_eq!(edges(&mesh), sharp.iter().map(|(&edge, &sharpness)| (edge, sharpness)).collect::<Vec<_>>());
+        assert_eq!(vertices(&mesh), corners.iter().map(|(&v, &sharpness)| (v, sharpness)).collect::<Vec<_>>());
         compare_with_triangles(&mesh, &triangles);
         compare_starts(&before.0, &plain(mesh.rotation()), &image);
     }

@@ -7,7 +7,7 @@ mod scheme_support;
 use quickcheck::quickcheck;
 use scheme_support::{apply, even, odd, scripted, star};
 use vvmesh::glam::{DMat3, DVec3};
-use vvmesh::mesh::VertexClass;
+use vvmesh::mesh::{Sharpness, VertexClass};
 use vvmesh::scheme::{Butterfly, Loop, LoopWeights, Mask, Midpoint, ModifiedButterfly, Reach, Scheme};
 use vvmesh::{Edge, Mesh, VertexId, shapes};
 
@@ -26,9 +26,23 @@ fn id(index: usize) -> VertexId {
     VertexId::new(index)
 }
 
-/// Whether a vertex is smooth and not isolated.
+/// Whether a vertex is wholly smooth and not isolated.
 fn is_smooth(mesh: &Mesh, v: VertexId) -> bool {
-    mesh.neighborhood().class(v) == VertexClass::Smooth && mesh.ring(v).valence() > 0
+    let around = mesh.neighborhood();
+    around.class(v) == VertexClass::Smooth && !around.is_semi_sharp(v) && mesh.ring(v).valence() > 0
+}
+
+/// A mesh from a script, on which every second tag has a sharpness of 0.2 to 1.6.
+fn tagged(script: &[(u8, u16)]) -> Mesh {
+    let mut mesh = scripted(script);
+    let values = (1..).map(|k| Sharpness::new(0.2 * f64::from(1 + k % 8)).unwrap());
+    for (edge, sharpness) in mesh.tags().sharp_edges().into_iter().step_by(2).zip(values.clone()) {
+        assert!(mesh.set_sharpness(edge, sharpness));
+    }
+    for (v, sharpness) in mesh.tags().corners().into_iter().step_by(2).zip(values) {
+        assert!(mesh.set_vertex_sharpness(v, sharpness));
+    }
+    mesh
 }
 
 fn vertices_of(mask: &Mask) -> impl Iterator<Item = VertexId> {
@@ -98,26 +112,26 @@ fn odd_masks_do_not_see_beyond_the_ends(scheme: &impl Scheme, mesh: &Mesh) -> bo
 
 quickcheck! {
     fn weights_add_to_one(script: Vec<(u8, u16)>) -> bool {
-        with_every_scheme!(masks_are_affine_and_local(&scripted(&script)))
+        with_every_scheme!(masks_are_affine_and_local(&tagged(&script)))
     }
 
     fn direction_does_not_matter(script: Vec<(u8, u16)>) -> bool {
-        with_every_scheme!(masks_are_the_same_from_both_ends(&scripted(&script)))
+        with_every_scheme!(masks_are_the_same_from_both_ends(&tagged(&script)))
     }
 
     fn affine_maps_commute(script: Vec<(u8, u16)>, map: [i8; 3]) -> bool {
         let [a, b, c] = map.map(|x| f64::from(x) / 32.0);
         let map = DMat3::from_cols_array(&[a, 1.0, b, -c, 0.5, 2.0, b, c, -1.0]);
-        with_every_scheme!(masks_commute_with_affine_maps(&scripted(&script), map, DVec3::new(c, a, b)))
+        with_every_scheme!(masks_commute_with_affine_maps(&tagged(&script), map, DVec3::new(c, a, b)))
     }
 
     fn odd_masks_are_functions_of_both_stars(script: Vec<(u8, u16)>) -> bool {
-        with_every_scheme!(odd_masks_do_not_see_beyond_the_ends(&scripted(&script)))
+        with_every_scheme!(odd_masks_do_not_see_beyond_the_ends(&tagged(&script)))
     }
 
     /// ALGORITHMS 2.3: v' - c' = lambda (v - c) and c' = 3/8 v + 5/8 c.
     fn one_loop_step_shrinks_the_distance_to_the_mean(script: Vec<(u8, u16)>) -> bool {
-        let mesh = scripted(&script);
+        let mesh = tagged(&script);
         let at = |v| mesh.position(v);
         [LoopWeights::Loop, LoopWeights::Warren].into_iter().all(|weights| {
             let scheme = Loop::new(weights);
@@ -137,19 +151,20 @@ quickcheck! {
 #[test]
 fn scripts_reach_every_class_of_vertices() {
     let mut seen = std::collections::BTreeMap::new();
-    for seed in 0..200_u64 {
+    for seed in 0..250_u64 {
         let script: Vec<(u8, u16)> = (0..40)
             .map(|k| (41 * seed + k + 1).wrapping_mul(6_364_136_223_846_793_005))
             .map(|x| ((x >> 33) as u8, (x >> 41) as u16))
             .collect();
-        let mesh = scripted(&script);
+        let mesh = tagged(&script);
         for v in mesh.vertices() {
             let class = format!("{:?}", mesh.neighborhood().class(v));
-            *seen.entry((class, mesh.is_boundary(v))).or_insert(0) += 1;
+            let is_semi_sharp = mesh.neighborhood().is_semi_sharp(v);
+            *seen.entry((class, mesh.is_boundary(v), is_semi_sharp)).or_insert(0) += 1;
         }
     }
-    // A boundary vertex is a crease or a corner, any other may be all four.
-    assert_eq!(seen.len(), 6, "{seen:?}");
+    // A boundary vertex is a crease or a corner, any other may be all four; and each may be semi-sharp.
+    assert_eq!(seen.len(), 12, "{seen:?}");
     assert!(seen.values().all(|&times| times > 50), "{seen:?}");
 }
 

@@ -13,15 +13,16 @@ mod plain;
 
 use std::collections::BTreeSet;
 
-use common::random::{Closed, Surface, WithBoundary, check, triangles};
+use common::random::{Closed, Surface, WithBoundary, check, semi_sharp, triangles};
 use common::run::{bits, schemes};
 use rayon::ThreadPoolBuilder;
 use vvmesh::adaptive::Uniform;
 use vvmesh::check::{FindingKind, conformity, mesh_conformity};
 use vvmesh::glam::DVec3;
 use vvmesh::limit::{Limit, LoopLimit};
+use vvmesh::mesh::SharpnessRule;
 use vvmesh::query::measure::dihedral_angle_rad;
-use vvmesh::scheme::{AnyScheme, LoopWeights, Midpoint};
+use vvmesh::scheme::{AnyScheme, Loop, LoopWeights, Midpoint};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Dihedral, Expression, Selection, Sphere};
 use vvmesh::soup::FaceList;
@@ -56,9 +57,19 @@ impl PartialEq for Bits {
         mesh.vertex_count() == other.vertex_count()
             && mesh.vertices().all(|v| mesh.ring(v) == other.ring(v))
             && mesh.positions().iter().zip(other.positions()).all(has_bits_of)
-            && mesh.tags().sharp_edges() == other.tags().sharp_edges()
-            && mesh.tags().corners() == other.tags().corners()
+            && sharp_edges(mesh) == sharp_edges(other)
+            && sharp_vertices(mesh) == sharp_vertices(other)
     }
+}
+
+fn sharp_edges(mesh: &Mesh) -> impl PartialEq + use<> {
+    let edges = mesh.tags().sharp_edges().into_iter();
+    edges.map(|edge| (edge, mesh.tags().sharpness(edge))).collect::<Vec<_>>()
+}
+
+fn sharp_vertices(mesh: &Mesh) -> impl PartialEq + use<> {
+    let vertices = mesh.tags().sharp_vertices().into_iter();
+    vertices.map(|v| (v, mesh.tags().vertex_sharpness(v))).collect::<Vec<_>>()
 }
 
 fn refined(mesh: &Mesh, scheme: &AnyScheme, steps: usize, keep: Keep) -> Mesh {
@@ -171,6 +182,13 @@ fn a_mesh_of_all_kinds_of_vertices_is_the_same() {
     let mesh = wheel();
     for (_, scheme) in schemes() {
         answers_are_the_same(&refinement_is_the_same(&mesh, &scheme));
+    }
+}
+
+#[test]
+fn semi_sharp_meshes_are_the_same() {
+    for rule in [SharpnessRule::Uniform, SharpnessRule::Chaikin] {
+        refinement_is_the_same(&semi_sharp(wheel(), 7, rule), &Loop::default().into());
     }
 }
 

@@ -4,7 +4,7 @@ use super::channel::Channel;
 use super::{Seams, Splits};
 use crate::id::{Edge, VertexId};
 use crate::limit::Limit;
-use crate::mesh::{Mesh, Neighborhood, Tags};
+use crate::mesh::{Mesh, Neighborhood, Sharpness, Tags};
 use crate::rotation::{Hubs, RingBuf, RotationSystem};
 use crate::scheme::{AnyScheme, Mask, Midpoint, Scheme, with_scheme};
 use crate::scratch::Scratch;
@@ -136,14 +136,17 @@ impl Chart {
 
     /// Takes the tags of the mesh over.
     pub(super) fn take_tags(&mut self, mesh: &Mesh) {
-        let mut tags = Tags::default();
-        for edge in mesh.tags().sharp_edges() {
-            self.edges_over(edge.ends()).for_each(|edge| tags.set_sharp(edge, true));
+        let (below, mut tags) = (mesh.tags(), Tags::default());
+        tags.set_rule(below.rule());
+        for edge in below.sharp_edges() {
+            let sharpness = below.sharpness(edge);
+            self.edges_over(edge.ends()).for_each(|over| tags.set_sharpness(over, sharpness));
         }
-        for v in mesh.tags().corners() {
-            self.over(v).for_each(|over| tags.set_corner(over, true));
+        for v in below.sharp_vertices() {
+            let sharpness = below.vertex_sharpness(v);
+            self.over(v).for_each(|over| tags.set_vertex_sharpness(over, sharpness));
         }
-        self.pinned.iter().for_each(|&pinned| tags.set_corner(pinned, true));
+        self.pinned.iter().for_each(|&pinned| tags.set_vertex_sharpness(pinned, Sharpness::INFINITE));
         self.tags = tags;
     }
 

@@ -59,6 +59,8 @@ pub enum RefineError {
     },
     /// A selection names a vertex that does not exist.
     NoVertex(crate::id::VertexId),
+    /// The mesh has semi-sharp edges or vertices, and tags change the masks of the scheme, but it cannot blend them.
+    SemiSharp,
     /// A new position is not a finite number.
     NonFinite(crate::id::VertexId),
     /// The caller asked to stop.
@@ -93,6 +95,12 @@ impl fmt::Display for RefineError {
                 "labels of faces and values at their corners are not taken along by {asked}; leave them behind"
             ),
             Self::NoVertex(v) => write!(f, "the selection names {v}, which does not exist"),
+            Self::SemiSharp => {
+                write!(
+                    f,
+                    "the scheme cannot blend masks for semi-sharp edges and vertices; make them infinitely sharp or smooth"
+                )
+            }
             Self::NonFinite(v) => write!(f, "the new position of {v} is not finite; scale the mesh down"),
             Self::Cancelled => write!(f, "cancelled"),
         }

@@ -4,7 +4,7 @@
 //! numbers, repeated corners, vertices without a face: all that is kept, and [`FaceList::defects`] tells of it. What
 //! cannot be read as it stands is a [`ReadError`] that names the line. Nothing is ignored in silence: see [`Note`].
 //!
-//! Read in this order: [`read`], [`Loaded`], [`FaceAttributes`], [`save`], [`save_with`].
+//! Read in this order: [`read`], [`Loaded`], [`FaceAttributes`], [`TagLines`], [`save`], [`save_with`].
 //!
 //! **Deliberately not here**: triangles of polygons ([`FaceList::triangulate`]) and the mesh itself
 //! ([`Mesh::from_triangles`](crate::Mesh::from_triangles)).
@@ -16,6 +16,7 @@ mod matrix_market;
 mod notes;
 mod obj;
 mod obj_scan;
+mod obj_tags;
 mod obj_write;
 mod off;
 mod text;
@@ -28,6 +29,7 @@ pub(crate) use attributes::NO_INDEX;
 pub use matrix_market::write_matrix_market;
 pub use notes::{Note, NoteKind};
 pub use obj::read_obj;
+pub use obj_tags::{ObjTags, TagLines};
 pub use obj_write::{write_obj, write_obj_with};
 pub use off::{read_off, write_off};
 pub use write::Surface;
@@ -78,6 +80,8 @@ pub struct Loaded {
     pub faces: FaceList,
     /// What stands at the faces beside their corners.
     pub attributes: FaceAttributes,
+    /// Lines that say what is sharp, not looked at; reading OFF leaves it empty.
+    pub tag_lines: TagLines,
     /// What was ignored or set aside, in the order of its first appearance.
     pub notes: Vec<Note>,
 }

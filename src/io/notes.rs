@@ -19,7 +19,8 @@ pub struct Note {
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum NoteKind {
-    /// OBJ: tag lines `t ...` (sharp edges, corners and boundary rules of OpenSubdiv), ignored.
+    /// OBJ: tag lines `t ...` (sharp edges, corners and boundary rules of OpenSubdiv), ignored unless the caller has
+    /// [their lines](super::TagLines) read.
     Tags,
     /// OBJ: polylines `l ...`, ignored.
     Polylines,

@@ -52,13 +52,13 @@ pub fn read_obj(bytes: &[u8]) -> Result<Loaded, ReadError> {
         return Err(error);
     }
     let (models, _) = answer.map_err(|_| feed.blame())?;
-    let Scan { mut faces, attributes, notes, vertex_count, .. } = feed.scan;
+    let Scan { mut faces, attributes, tag_lines, notes, vertex_count, .. } = feed.scan;
     faces.positions.reserve_exact(vertex_count);
     for model in &models {
         faces.positions.extend(model.mesh.positions.chunks_exact(3).map(DVec3::from_slice));
     }
     debug_assert_eq!(faces.positions.len(), vertex_count);
-    Ok(Loaded { format: Format::Obj, faces, attributes, notes })
+    Ok(Loaded { format: Format::Obj, faces, attributes, tag_lines, notes })
 }
 
 /// How many vertices one of the added faces names. More would make tobj's hash map outgrow the cache.

@@ -12,6 +12,7 @@ use glam::DVec3;
 
 use super::attributes::{FaceAttributes, NO_INDEX, Section, State};
 use super::notes::{self, Note, NoteKind};
+use super::obj_tags::TagLines;
 use super::text::{Words, float, integer, shown};
 use crate::error::{ReadError, ReadErrorKind};
 use crate::id::VertexId;
@@ -42,6 +43,7 @@ pub(super) struct Scan {
     /// The corners of the face at hand.
     corners: Vec<u32>,
     pub(super) attributes: FaceAttributes,
+    pub(super) tag_lines: TagLines,
     pub(super) notes: Vec<Note>,
     names: HashSet<Arc<str>>,
     state: State,
@@ -217,7 +219,10 @@ impl Scan {
             }
             b"o" | b"g" | b"usemtl" | b"s" => self.tell_state(keyword, words, line),
             b"mtllib" => self.attributes.material_libraries.push(words.rest().into_owned()),
-            b"t" => notes::count(&mut self.notes, NoteKind::Tags, line),
+            b"t" => {
+                notes::count(&mut self.notes, NoteKind::Tags, line);
+                self.tag_lines.push(line, words.rest().into_owned());
+            }
             b"l" => notes::count(&mut self.notes, NoteKind::Polylines, line),
             b"p" => notes::count(&mut self.notes, NoteKind::Points, line),
             b"vp" | b"cstype" | b"deg" | b"bmat" | b"step" | b"curv" | b"curv2" | b"surf" | b"parm" | b"trim"

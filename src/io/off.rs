@@ -11,6 +11,7 @@ use glam::DVec3;
 
 use super::attributes::FaceAttributes;
 use super::notes::{self, Note, NoteKind};
+use super::obj_tags::TagLines;
 use super::text::{Words, float, integer, normalize, shown};
 use super::write::{self, Surface};
 use super::{Format, Loaded};
@@ -50,7 +51,8 @@ pub fn read_off(bytes: &[u8]) -> Result<Loaded, ReadError> {
     if let Some(word) = reader.words.next() {
         return Err(reader.words.error(ReadErrorKind::Trailing(shown(word))));
     }
-    Ok(Loaded { format: Format::Off, faces, attributes: FaceAttributes::default(), notes: reader.notes })
+    let (attributes, tag_lines) = (FaceAttributes::default(), TagLines::default());
+    Ok(Loaded { format: Format::Off, faces, attributes, tag_lines, notes: reader.notes })
 }
 
 /// Writes OFF: the header with the counts, vertices, faces. The count of edges is 0, as most writers have it.

@@ -49,12 +49,14 @@ impl LoopLimit {
     }
 
     /// By how much each step shrinks the distance of a vertex to its limit: λ(n) if it is smooth, 1/4 on a crease or a
-    /// boundary, 0 at a corner and for an isolated vertex. `None` for a dart, whose distance is a sum of several rates.
+    /// boundary, 0 at a corner and for an isolated vertex. `None` for a dart, whose distance is a sum of several rates,
+    /// and for a semi-sharp vertex.
     ///
     /// So a vertex born at level b is at level k at v∞ + λᵏ⁻ᵇ (v − v∞).
     #[must_use]
     pub fn contraction(&self, around: Neighborhood<'_>, v: VertexId) -> Option<f64> {
         match around.class(v) {
+            _ if around.is_semi_sharp(v) => None,
             VertexClass::Smooth => Some(self.weights.lambda(around.ring(v).valence())),
             VertexClass::Dart => None,
             VertexClass::Crease => Some(0.25),
@@ -67,6 +69,7 @@ impl Limit for LoopLimit {
     /// Smooth: χ = 1/(3/(8α) + n) for each neighbour and 1 − nχ for the vertex. Crease and boundary: 2/3, and 1/6 for each
     /// of the two neighbours along it. Corner: the vertex. Dart: the left eigenvector for the eigenvalue 1, in closed form.
     fn mask(&self, around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink) {
+        assert!(!around.is_semi_sharp(v), "{v} is semi-sharp: its limit is known when that has faded");
         let ring = around.ring(v);
         let n = ring.valence();
         let alpha = self.weights.alpha(n);
@@ -86,9 +89,10 @@ impl Limit for LoopLimit {
     }
 
     /// A smooth vertex and a dart have one, any other vertex one for each sector; the tip of a cone, a smooth vertex tagged
-    /// a corner, has none.
+    /// a corner, has none, nor has a semi-sharp vertex.
     fn side_count(&self, around: Neighborhood<'_>, v: VertexId) -> usize {
         match around.class(v) {
+            _ if around.is_semi_sharp(v) => 0,
             VertexClass::Smooth | VertexClass::Dart => usize::from(around.ring(v).valence() > 0),
             VertexClass::Crease | VertexClass::Corner => around.sectors(v).len(),
         }

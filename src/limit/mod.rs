@@ -12,6 +12,9 @@
 //! | [`ModifiedButterflyLimit`] | the vertex | all but sectors of two faces and more at a corner |
 //! | [`Sqrt3Limit`] | inside, boundary | the same |
 //!
+//! The matrix is fixed only where nothing is semi-sharp: a vertex that is, or has such an edge, has no limit that is known
+//! until the steps that [`Neighborhood::semi_sharp_steps`] counts are made.
+//!
 //! Read in this order: [`Limit`], [`LoopLimit`], the other three, [`AnyLimit`], [`Normals`], [`LimitSurface`].
 //!
 //! **Deliberately not here**: points between the vertices for other schemes than Loop, whose surfaces are no polynomials.
@@ -55,6 +58,9 @@ const FLAT: f64 = 1e-12;
 /// folded: then no normal is made up.
 pub trait Limit {
     /// Writes the mask of the limit position of a vertex. O(valence).
+    ///
+    /// # Panics
+    /// If the scheme reads tags and the vertex is [semi-sharp](Neighborhood::is_semi_sharp).
     fn mask(&self, around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink);
 
     /// How many sides a vertex has. O(valence).
@@ -87,7 +93,7 @@ pub trait Limit {
     /// The limit position of a vertex. O(valence).
     ///
     /// # Panics
-    /// If there is no such vertex.
+    /// If there is no such vertex, or no mask: see [`Limit::mask`].
     #[must_use]
     fn position(&self, mesh: &Mesh, v: VertexId) -> DVec3 {
         let mut sum = WeightedSum::from(mesh, DVec3::ZERO);
@@ -96,6 +102,9 @@ pub trait Limit {
     }
 
     /// The limit positions of all vertices, by id. O(vertices + edges).
+    ///
+    /// # Panics
+    /// If a vertex has no mask: see [`Limit::mask`].
     ///
     /// ```
     /// use vvmesh::limit::{Limit, LoopLimit};

@@ -1,6 +1,6 @@
 //! What becomes of a boundary.
 
-use super::Mesh;
+use super::{Mesh, Sharpness};
 
 /// How the vertices of a boundary are treated; it is put on a mesh as corner tags before the first step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -26,7 +26,7 @@ impl Mesh {
                     BoundaryPolicy::Fixed => true,
                 };
             if corner {
-                self.tags.set_corner(v, true);
+                self.tags.set_vertex_sharpness(v, Sharpness::INFINITE);
             }
         }
     }

@@ -12,7 +12,8 @@ impl Mesh {
     /// Puts a new vertex on an edge, joins it to the corners opposite, and answers its id: of each triangle beside the
     /// edge become two.
     ///
-    /// The halves of a sharp edge are sharp. The new ring is `[a, right, b, left]` as told at
+    /// The halves of a sharp edge are as sharp as it was: this is no step, in which sharpness fades. The new ring is
+    /// `[a, right, b, left]` as told at
     /// [`RotationSystem::split_edge_triangles`](crate::RotationSystem::split_edge_triangles). O(valence).
     ///
     /// # Errors
@@ -54,9 +55,9 @@ impl Mesh {
     /// Draws an edge together: `remove` goes to `keep`, which takes the position given, and stays behind as an isolated
     /// vertex where it was.
     ///
-    /// Tags go along: an edge is sharp afterwards if one of those it came from was, and `keep` is a corner if one of the
-    /// two was. So creases that end at the collapsed edge are joined there. `remove` keeps no tag. O(valence) of both ends
-    /// and of the neighbours of `remove`.
+    /// Tags go along: an edge is as sharp afterwards as the sharper of those it came from, and so is `keep`. So creases that
+    /// end at the collapsed edge are joined there. `remove` keeps no tag. O(valence) of both ends and of the neighbours of
+    /// `remove`.
     ///
     /// # Errors
     /// [`EditError::NonFinite`]; else as [`RotationSystem::collapse`](crate::RotationSystem::collapse), the link condition.

@@ -1,10 +1,11 @@
-//! The mesh: a rotation system of triangles, a position a vertex, and tags of sharp edges and corners.
+//! The mesh: a rotation system of triangles, a position a vertex, and tags of edges and vertices that are sharp, for ever or
+//! for some steps.
 //!
 //! It is always an oriented 2-manifold, with or without boundary: [`Mesh::from_triangles`] refuses everything else with
 //! all reasons, and whatever changes a mesh keeps it one.
 //!
-//! Read in this order: [`Mesh`], [`Tags`] and [`VertexClass`], [`Neighborhood`], [`Sector`], then `order` (other vertex
-//! numbers, as a [`Permutation`]).
+//! Read in this order: [`Mesh`], [`Tags`] with [`Sharpness`], [`VertexClass`], [`Neighborhood`], [`Sector`] and
+//! [`Transition`], then `order` (other vertex numbers, as a [`Permutation`]).
 //!
 //! **Deliberately not here**: birth levels and parents of vertices. They belong to a run of refinements, not to a mesh,
 //! and live in [`History`](crate::step::History).
@@ -16,14 +17,18 @@ mod neighborhood;
 mod order;
 mod permutation;
 mod sector;
+mod sharpness;
 mod tags;
+mod transition;
 
 pub use boundary::BoundaryPolicy;
 pub(crate) use build::rotation_of;
 pub use neighborhood::{Neighborhood, VertexClass};
 pub use permutation::Permutation;
 pub use sector::Sector;
+pub use sharpness::{Sharpness, SharpnessRule};
 pub use tags::Tags;
+pub use transition::{Feature, Transition};
 
 use glam::DVec3;
 
@@ -88,27 +93,58 @@ impl Mesh {
         &self.tags
     }
 
-    /// Tags an edge sharp, or takes the tag off. A boundary edge is sharp by nature; a tag on it changes nothing.
+    /// Tags an edge infinitely sharp, or takes the tag off. A boundary edge is sharp by nature; a tag on it changes nothing.
     ///
     /// Answers whether there is such an edge; without one nothing is changed.
     pub fn set_sharp(&mut self, edge: Edge, sharp: bool) -> bool {
+        self.set_sharpness(edge, if sharp { Sharpness::INFINITE } else { Sharpness::SMOOTH })
+    }
+
+    /// Tags an edge with a sharpness, in place of what it had; 0 takes the tag off. A boundary edge, which is infinitely
+    /// sharp by nature, is tagged so whatever sharpness is given.
+    ///
+    /// Answers whether there is such an edge; without one nothing is changed.
+    ///
+    /// ```
+    /// use vvmesh::mesh::Sharpness;
+    /// use vvmesh::{Edge, VertexId, shapes};
+    /// let mut mesh = shapes::icosahedron();
+    /// let edge = Edge::new(VertexId::new(0), VertexId::new(1));
+    /// assert!(mesh.set_sharpness(edge, Sharpness::new(2.5)?));
+    /// assert_eq!((mesh.tags().sharpness(edge).value(), mesh.tags().sharp_edges()), (2.5, vec![edge]));
+    /// # Ok::<(), vvmesh::error::ConfigError>(())
+    /// ```
+    pub fn set_sharpness(&mut self, edge: Edge, sharpness: Sharpness) -> bool {
         let [a, b] = edge.ends();
         let exists = self.rotation.has_edge(a, b);
         if exists {
-            self.tags.set_sharp(edge, sharp);
+            let is_infinite = sharpness.is_sharp() && self.rotation.is_boundary_edge(a, b);
+            self.tags.set_sharpness(edge, if is_infinite { Sharpness::INFINITE } else { sharpness });
         }
         exists
     }
 
-    /// Tags a vertex as a corner, or takes the tag off.
+    /// Tags a vertex as a corner, infinitely sharp, or takes the tag off.
     ///
     /// Answers whether there is such a vertex; without one nothing is changed.
     pub fn set_corner(&mut self, v: VertexId, corner: bool) -> bool {
+        self.set_vertex_sharpness(v, if corner { Sharpness::INFINITE } else { Sharpness::SMOOTH })
+    }
+
+    /// Tags a vertex with a sharpness, in place of what it had; 0 takes the tag off.
+    ///
+    /// Answers whether there is such a vertex; without one nothing is changed.
+    pub fn set_vertex_sharpness(&mut self, v: VertexId, sharpness: Sharpness) -> bool {
         let exists = self.rotation.contains(v);
         if exists {
-            self.tags.set_corner(v, corner);
+            self.tags.set_vertex_sharpness(v, sharpness);
         }
         exists
+    }
+
+    /// Says what the halves of semi-sharp edges inherit in the steps to come.
+    pub fn set_sharpness_rule(&mut self, rule: SharpnessRule) {
+        self.tags.set_rule(rule);
     }
 
     /// What a scheme may see: rings and tags, no positions.

@@ -2,11 +2,12 @@
 
 use smallvec::SmallVec;
 
-use super::Tags;
+use super::{Sharpness, SharpnessRule, Tags};
 use crate::id::{Edge, VertexId};
 use crate::rotation::{Hubs, Regular, Ring, RotationSystem};
 
-/// How sharp the surroundings of a vertex are, by the number of sharp edges at it, boundary edges counted.
+/// How sharp the surroundings of a vertex are, by the number of sharp edges at it, boundary edges counted; those that are
+/// semi-sharp count like any other.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum VertexClass {
     /// No sharp edge.
@@ -15,7 +16,7 @@ pub enum VertexClass {
     Dart,
     /// Two sharp edges.
     Crease,
-    /// Three or more sharp edges, or tagged a corner.
+    /// Three or more sharp edges, or tagged a corner, infinitely sharp itself.
     Corner,
 }
 
@@ -82,6 +83,56 @@ impl<'a> Neighborhood<'a> {
         !self.tags.is_empty() && self.tags.is_sharp(Edge::new(a, b))
     }
 
+    /// How sharp an edge between two neighbours is; infinitely, whatever its tag, on a boundary.
+    #[must_use]
+    pub fn sharpness(&self, a: VertexId, b: VertexId) -> Sharpness {
+        if self.rotation.is_boundary_edge(a, b) { Sharpness::INFINITE } else { self.tags.sharpness(Edge::new(a, b)) }
+    }
+
+    /// How sharp a vertex is itself, whatever its edges are.
+    #[inline]
+    #[must_use]
+    pub fn vertex_sharpness(&self, v: VertexId) -> Sharpness {
+        self.tags.vertex_sharpness(v)
+    }
+
+    /// How sharp the half at `v` of an edge to a neighbour `w` will be after a step that splits all edges at `v`, as the
+    /// mesh's [`SharpnessRule`] has it. O(sharp edges at `v`), as the next two.
+    #[must_use]
+    pub fn child_sharpness(&self, v: VertexId, w: VertexId) -> Sharpness {
+        let others = self.tagged_edges(v).filter(|&(u, _)| u != w).map(|(_, sharpness)| sharpness);
+        self.tags.rule().child(self.sharpness(v, w), others)
+    }
+
+    /// Whether the halves of an edge inherit from other edges at its ends too.
+    pub(crate) fn averages_sharpness(&self, a: VertexId, b: VertexId) -> bool {
+        self.tags.rule() == SharpnessRule::Chaikin && self.tags.has_semi_sharp() && self.sharpness(a, b).is_semi_sharp()
+    }
+
+    /// Whether a vertex or an edge at it is semi-sharp: what the rules make of the vertex changes from step to step. Where
+    /// nothing is semi-sharp, a test of two lengths.
+    #[inline]
+    #[must_use]
+    pub fn is_semi_sharp(&self, v: VertexId) -> bool {
+        self.tags.has_semi_sharp() && self.semi_sharp_steps(v) > 0
+    }
+
+    /// After how many steps, all around the vertex, neither it nor an edge at it is semi-sharp; 0 if none is now. With
+    /// [`SharpnessRule::Chaikin`] it may be fewer.
+    #[must_use]
+    pub fn semi_sharp_steps(&self, v: VertexId) -> u32 {
+        let edges = self.tagged_edges(v).map(|(_, sharpness)| sharpness);
+        let semi_sharp = edges.chain([self.vertex_sharpness(v)]).filter(|sharpness| sharpness.is_semi_sharp());
+        semi_sharp.map(Sharpness::steps).max().unwrap_or(0)
+    }
+
+    /// The tagged edges at a vertex by their other ends, with how sharp they are.
+    fn tagged_edges(&self, v: VertexId) -> impl Iterator<Item = (VertexId, Sharpness)> {
+        self.tags.sharp_edges_at(v).map(move |(w, sharpness)| {
+            (w, if self.rotation.is_boundary_edge(v, w) { Sharpness::INFINITE } else { sharpness })
+        })
+    }
+
     /// The class of a vertex. O(sharp edges at it).
     #[inline]
     #[must_use]
@@ -111,7 +162,7 @@ impl<'a> Neighborhood<'a> {
     /// The slots in the ring of a vertex to which sharp edges lead, ascending; empty for a smooth vertex.
     /// O(valence), times the logarithm of the tagged edges at the vertex.
     #[must_use]
-    pub fn sharp_slots(&self, v: VertexId) -> impl ExactSizeIterator<Item = usize> + use<> {
+    pub fn sharp_slots(&self, v: VertexId) -> impl ExactSizeIterator<Item = usize> + Clone + use<> {
         let ring = self.rotation.ring(v);
         let mut tagged: SmallVec<[VertexId; 8]> = SmallVec::from_slice(self.tags.sharp_neighbors(v));
         tagged.sort_unstable();

@@ -60,6 +60,12 @@ impl AnyScheme {
         with_scheme!(self, scheme => scheme.reads_tags(), else false)
     }
 
+    /// Whether semi-sharp edges and vertices blend its masks.
+    #[must_use]
+    pub fn blends_sharpness(&self) -> bool {
+        with_scheme!(self, scheme => scheme.blends_sharpness(), else false)
+    }
+
     /// Whether even vertices move.
     #[must_use]
     pub fn moves_even(&self) -> bool {

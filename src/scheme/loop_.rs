@@ -2,9 +2,10 @@
 
 use std::f64::consts::TAU;
 
+use super::mask::Scaled;
 use super::{MaskSink, Reach, Scheme};
 use crate::id::VertexId;
-use crate::mesh::{Neighborhood, VertexClass};
+use crate::mesh::{Feature, Neighborhood, Transition, VertexClass};
 use crate::step::Parent;
 
 /// Weights of inner vertices are kept up to this valence; above they are computed each time.
@@ -65,7 +66,7 @@ pub(crate) fn cos_of_turn(n: usize) -> f64 {
     }
 }
 
-/// The Loop scheme, with creases, darts and corners.
+/// The Loop scheme, with creases, darts and corners, sharp or semi-sharp.
 ///
 /// | vertex | mask |
 /// |---|---|
@@ -77,6 +78,13 @@ pub(crate) fn cos_of_turn(n: usize) -> f64 {
 ///
 /// An isolated vertex stays. The special odd weights of Hoppe et al. beside irregular crease vertices are not used.
 ///
+/// What is semi-sharp is treated as sharp from a sharpness of 1 on, and blends two masks below:
+///
+/// - An odd vertex on an edge of sharpness s < 1 takes s of the sharp mask and 1 − s of the other.
+/// - An even vertex takes a part of the mask that its sharp edges call for now, and the rest of the mask that those which
+///   remain after the step will call for; [`Transition`] tells the parts. A vertex that is itself of sharpness s stays for
+///   the part min(s, 1), and follows its edges for the rest.
+///
 /// ```
 /// use vvmesh::scheme::{Loop, Mask, Scheme};
 /// let mesh = vvmesh::shapes::torus(5, 4, 2.0, 1.0);
@@ -86,7 +94,7 @@ pub(crate) fn cos_of_turn(n: usize) -> f64 {
 /// assert_eq!((mask.weight_of(v), mask.sum()), (5.0 / 8.0, 1.0));
 /// ```
 ///
-/// Source: `[loop1987]`; features from `[hoppe1994]`.
+/// Source: `[loop1987]`; features from `[hoppe1994]`, semi-sharp ones from `[derose1998]`.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Loop {
     weights: LoopWeights,
@@ -104,6 +112,35 @@ impl Loop {
     #[must_use]
     pub fn weights(&self) -> LoopWeights {
         self.weights
+    }
+
+    #[inline]
+    fn smooth(&self, around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink) {
+        let ring = around.ring(v);
+        let n = ring.valence();
+        let [center, alpha] = self.table.get(n).copied().unwrap_or_else(|| self.weights.even(n));
+        mask.group(center, [v]);
+        mask.group(alpha, ring);
+    }
+
+    /// The mask of an even vertex that is semi-sharp, or has a semi-sharp edge.
+    #[inline(never)]
+    fn semi_sharp(&self, around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink) {
+        let staying = around.vertex_sharpness(v).weight();
+        if staying > 0.0 {
+            mask.group(staying, [v]);
+        }
+        let Transition { now, after, weight } = around.transition(v);
+        let weight = if now == after { 1.0 } else { weight };
+        let parts = [(now, (1.0 - staying) * weight), (after, (1.0 - staying) * (1.0 - weight))];
+        for (feature, weight) in parts.into_iter().filter(|&(_, weight)| weight > 0.0) {
+            let mut part = Scaled::new(weight, mask);
+            match feature {
+                Feature::Smooth => self.smooth(around, v, &mut part),
+                Feature::Crease(along) => crease(v, along, &mut part),
+                Feature::Corner => part.group(1.0, [v]),
+            }
+        }
     }
 }
 
@@ -123,6 +160,10 @@ impl Scheme for Loop {
         true
     }
 
+    fn blends_sharpness(&self) -> bool {
+        true
+    }
+
     #[inline]
     fn reach(&self) -> Reach {
         Reach::OneStar
@@ -130,18 +171,12 @@ impl Scheme for Loop {
 
     #[inline]
     fn even(&self, around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink) {
+        if !around.has_no_tags() && around.is_semi_sharp(v) {
+            return self.semi_sharp(around, v, mask);
+        }
         match around.class(v) {
-            VertexClass::Smooth | VertexClass::Dart => {
-                let ring = around.ring(v);
-                let n = ring.valence();
-                let [center, alpha] = self.table.get(n).copied().unwrap_or_else(|| self.weights.even(n));
-                mask.group(center, [v]);
-                mask.group(alpha, ring);
-            }
-            VertexClass::Crease => {
-                mask.group(0.75, [v]);
-                mask.group(0.125, crease_neighbors(around, v));
-            }
+            VertexClass::Smooth | VertexClass::Dart => self.smooth(around, v, mask),
+            VertexClass::Crease => crease(v, crease_neighbors(around, v), mask),
             VertexClass::Corner => mask.group(1.0, [v]),
         }
     }
@@ -149,14 +184,36 @@ impl Scheme for Loop {
     #[inline]
     fn odd(&self, around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
         let Parent { p, q, left, right } = *parent;
-        match (left, right) {
-            (Some(left), Some(right)) if !around.is_tagged(p, q) => {
-                mask.group(0.375, [p, q]);
-                mask.group(0.125, [left, right]);
-            }
-            _ => mask.group(0.5, [p, q]),
+        let (Some(left), Some(right)) = (left, right) else { return middle([p, q], mask) };
+        if !around.is_tagged(p, q) {
+            return between([p, q], [left, right], mask);
         }
+        let weight = around.sharpness(p, q).weight();
+        if weight < 1.0 {
+            between([p, q], [left, right], &mut Scaled::new(1.0 - weight, mask));
+        }
+        middle([p, q], &mut Scaled::new(weight, mask));
     }
+}
+
+/// The mask of an even vertex on a crease.
+#[inline]
+fn crease(v: VertexId, along: [VertexId; 2], mask: &mut impl MaskSink) {
+    mask.group(0.75, [v]);
+    mask.group(0.125, along);
+}
+
+/// The mask of an odd vertex between two triangles.
+#[inline]
+fn between(ends: [VertexId; 2], opposite: [VertexId; 2], mask: &mut impl MaskSink) {
+    mask.group(0.375, ends);
+    mask.group(0.125, opposite);
+}
+
+/// The mask of an odd vertex on a sharp edge.
+#[inline]
+fn middle(ends: [VertexId; 2], mask: &mut impl MaskSink) {
+    mask.group(0.5, ends);
 }
 
 /// The two neighbours of a crease vertex along its crease, in ring order.

@@ -58,6 +58,12 @@ pub trait Scheme {
     /// Whether sharp edges and corners change its masks.
     fn reads_tags(&self) -> bool;
 
+    /// Whether semi-sharp edges and vertices blend its masks. If not, and tags change its masks at all, a mesh with
+    /// semi-sharp ones is refused.
+    fn blends_sharpness(&self) -> bool {
+        false
+    }
+
     /// What the position of an odd vertex depends on.
     fn reach(&self) -> Reach;
 

@@ -28,6 +28,10 @@ use crate::step::Parent;
 /// A curve ends at a dart and at a corner, tagged or not; there it is continued by reflection (p₋₁ = 2p₀ − p₁). Vertices
 /// that coincide on a small mesh get the sum of their weights.
 ///
+/// Its masks name types of vertices, of which semi-sharp edges would make many more: masks are not blended, whatever is
+/// sharp counts as infinitely sharp, and steps refuse a mesh with semi-sharp edges or vertices
+/// ([`RefineError::SemiSharp`](crate::error::RefineError::SemiSharp)).
+///
 /// Source: `[zorin1996]`, boundary rules from `[zorin2000]`. The end of a curve is our decision. The extraordinary crease
 /// rule has −c₀ at the far crease neighbour: with the sign that is sometimes seen in programs its weights do not add to 1.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]

@@ -67,7 +67,7 @@ impl Plan {
     }
 
     /// The new vertices with what they split.
-    pub(crate) fn odd(&self) -> impl ExactSizeIterator<Item = (VertexId, &SplitEdge)> {
+    pub(crate) fn odd(&self) -> impl ExactSizeIterator<Item = (VertexId, &SplitEdge)> + Clone {
         self.edges.iter().enumerate().map(|(k, edge)| (VertexId::new(self.first + k), edge))
     }
 }

@@ -164,9 +164,9 @@ impl Subdivider {
     ///
     /// # Errors
     /// A selected vertex that does not exist, a history of another [`SplitKind`] or under √3 of other methods, a
-    /// follower without masks to follow, more faces than [`Control::max_faces`], more vertices than 32-bit ids name,
-    /// a 256th level, a position that is not finite, or the caller's wish to stop. The mesh and the history are then as
-    /// before.
+    /// follower without masks to follow, semi-sharp tags that the scheme cannot blend, more faces than
+    /// [`Control::max_faces`], more vertices than 32-bit ids name, a 256th level, a position that is not finite, or the
+    /// caller's wish to stop. The mesh and the history are then as before.
     ///
     /// # Panics
     /// If the method's region names a vertex or an edge that the mesh does not have.
@@ -186,6 +186,9 @@ impl Subdivider {
             return Err(RefineError::NoVertex(last));
         }
         history.allow(self.scheme.split_kind())?;
+        if mesh.tags().has_semi_sharp() && self.scheme.reads_tags() && !self.scheme.blends_sharpness() {
+            return Err(RefineError::SemiSharp);
+        }
         let region = self.method.region(mesh, selection, scratch);
         let step = match &self.scheme {
             AnyScheme::Sqrt3(scheme) => {
@@ -258,9 +261,7 @@ impl Subdivider {
         let (rotation, positions, tags) = mesh.parts_mut();
         *positions = new_positions;
         // In the order of the new vertices, as when a region is split.
-        for (x, edge) in sharp {
-            tags.split(edge, x);
-        }
+        tags.refine(rotation, sharp.into_iter(), (0..old).map(VertexId::new));
         let max_valence = match new {
             0 => 0,
             edges if edges == rotation.boundary_edge_count() => 4,
@@ -337,7 +338,7 @@ impl Subdivider {
         for (&v, &position) in moving.iter().zip(&positions.moved) {
             mesh.positions_mut()[v.index()] = position;
         }
-        split(mesh, plan, closing, self.diagonal);
+        split(mesh, plan, &moving, closing, self.diagonal);
 
         let certified = history.exactness_mut().map(|exactness| {
             certify::after(exactness, handed, mesh, &moving, plan, closing);
@@ -381,14 +382,13 @@ fn child_levels(levels: &mut Vec<u8>, history: &History, plan: &Plan) -> Result<
     Ok(())
 }
 
-/// Splits rings and tags; positions are those after the step.
-fn split(mesh: &mut Mesh, plan: &Plan, closing: &mut Closing, diagonal: Diagonal) {
+/// Splits rings and tags; positions are those after the step, in which the vertices `moving` took part.
+fn split(mesh: &mut Mesh, plan: &Plan, moving: &[VertexId], closing: &mut Closing, diagonal: Diagonal) {
     let (rotation, positions, tags) = mesh.parts_mut();
     if !tags.is_empty() {
-        for (x, edge) in plan.odd() {
-            let [p, q] = edge.ends();
-            tags.split(Edge::new(p, q), x);
-        }
+        let edge = |[p, q]: [VertexId; 2]| Edge::new(p, q);
+        let split = plan.odd().map(|(x, split)| (x, edge(split.ends())));
+        tags.refine(rotation, split, moving.iter().copied());
     }
     quadrisect::apply(rotation, plan, closing, |quad: Quad, valences| diagonal.start(quad, valences, positions));
 }

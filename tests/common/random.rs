@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
 use vvmesh::glam::DVec3;
+use vvmesh::mesh::{Sharpness, SharpnessRule};
 use vvmesh::select::Selection;
 use vvmesh::{Edge, Mesh, VertexId, shapes};
 
@@ -273,6 +274,35 @@ pub fn quadrisected(mesh: &Mesh) -> Mesh {
         cut.extend([[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]);
     }
     Mesh::from_triangles(positions, &cut).expect("a mesh cut in four is a mesh")
+}
+
+/// A sharpness of up to 4: infinite, 0, a multiple of 1/4 or any number.
+pub fn sharpness(random: &mut Random) -> Sharpness {
+    let value = match random.below(8) {
+        0 => f64::INFINITY,
+        1 => 0.0,
+        2..=4 => 0.25 * (1 + random.below(16)) as f64,
+        _ => 2.0 + 2.0 * random.signed(),
+    };
+    Sharpness::new(value).expect("0 or more")
+}
+
+/// A mesh with some more tags, all of random sharpness.
+pub fn semi_sharp(mut mesh: Mesh, seed: u64, rule: SharpnessRule) -> Mesh {
+    let mut random = Random::new(seed);
+    let (edges, vertices) = (mesh.edges().collect::<Vec<_>>(), mesh.vertices());
+    for edge in edges {
+        if mesh.tags().is_sharp(edge) || random.below(5) == 0 {
+            assert!(mesh.set_sharpness(edge, sharpness(&mut random)));
+        }
+    }
+    for v in vertices {
+        if mesh.tags().is_corner(v) || random.below(12) == 0 {
+            assert!(mesh.set_vertex_sharpness(v, sharpness(&mut random)));
+        }
+    }
+    mesh.set_sharpness_rule(rule);
+    mesh
 }
 
 /// A script for selections: a patch grown from a vertex, and what is left of it at each level.

@@ -51,17 +51,20 @@ impl Run {
 pub struct MeshBits {
     rings: Vec<(Vec<VertexId>, bool)>,
     positions: Vec<[u64; 3]>,
-    sharp: Vec<[VertexId; 2]>,
-    corners: Vec<VertexId>,
+    sharp: Vec<(Edge, u64)>,
+    sharp_vertices: Vec<(VertexId, u64)>,
 }
 
 impl MeshBits {
     pub fn of(mesh: &Mesh) -> Self {
+        let tags = mesh.tags();
+        let edge = |edge| (edge, tags.sharpness(edge).value().to_bits());
+        let vertex = |v| (v, tags.vertex_sharpness(v).value().to_bits());
         Self {
             rings: mesh.vertices().map(|v| ring(mesh, v)).collect(),
             positions: mesh.positions().iter().map(|&p| bits(p)).collect(),
-            sharp: mesh.tags().sharp_edges().iter().map(|edge| edge.ends()).collect(),
-            corners: mesh.tags().corners(),
+            sharp: tags.sharp_edges().into_iter().map(edge).collect(),
+            sharp_vertices: tags.sharp_vertices().into_iter().map(vertex).collect(),
         }
     }
 }
@@ -121,6 +124,16 @@ impl<'a> Beside<'a> {
         let Some(w) = self.twin(v) else { return false };
         let (here, there) = (self.run.mesh.ring(v), self.uniform.mesh.ring(w));
         here.is_open() == there.is_open() && here.iter().map(|x| self.twin(x)).eq(there.iter().map(Some))
+    }
+
+    /// Whether the vertex, and the edges at it by the names of its neighbours, are as sharp.
+    pub fn sharpness_is_same(&self, v: VertexId) -> bool {
+        let Some(w) = self.twin(v) else { return false };
+        let at = |mesh: &Mesh, v| {
+            let edges = mesh.ring(v).iter().map(|x| mesh.neighborhood().sharpness(v, x));
+            edges.chain([mesh.tags().vertex_sharpness(v)]).collect::<Vec<_>>()
+        };
+        at(&self.run.mesh, v) == at(&self.uniform.mesh, w)
     }
 
     /// Position, rotation, and positions of the neighbours.

@@ -262,9 +262,18 @@ pub(crate) struct TagArguments {
     /// Make edges folded by more than this sharp
     #[arg(long, value_name = "DEG", value_parser = degrees, allow_negative_numbers = true, conflicts_with = "sharp")]
     pub(crate) sharp_angle: Option<f64>,
-    /// Make the edges and corners in a file sharp: a line `a b` names an edge, a line `a` a corner, `#` starts a comment
+    /// Make the edges and vertices in a file sharp: a line `a b` names an edge, `a b s` its sharpness, `a` a corner,
+    /// `a - s` the sharpness of a vertex; 0 is smooth, `inf` sharp for ever; `#` starts a comment
     #[arg(long, value_name = "FILE")]
     pub(crate) sharp: Option<PathBuf>,
+    /// Read the tag lines of the mesh: `t crease`, `t corner`, `t interpolateboundary`; --boundary and --sharp win over
+    /// them
+    #[arg(long = "tags")]
+    pub(crate) of_mesh: Option<TagsName>,
+    /// What the halves of an edge of finite sharpness inherit: 1 less, or evened out along the crease first
+    /// [default: uniform]
+    #[arg(long)]
+    pub(crate) creases: Option<CreasesName>,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
@@ -304,6 +313,17 @@ pub(crate) enum BoundaryName {
     Smooth,
     Corners,
     Fixed,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum TagsName {
+    Obj,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum CreasesName {
+    Uniform,
+    Chaikin,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
@@ -348,6 +368,7 @@ impl TagArguments {
             ("--boundary", self.boundary.is_some()),
             ("--sharp", self.sharp.is_some()),
             ("--sharp-angle", self.sharp_angle.is_some()),
+            ("--tags", self.of_mesh.is_some()),
         ];
         given.into_iter().find_map(|(option, given)| given.then_some(option))
     }
@@ -365,7 +386,7 @@ macro_rules! print_as_typed {
     };
 }
 
-print_as_typed!(SchemeName, LimitName, MethodName, BoundaryName);
+print_as_typed!(SchemeName, LimitName, MethodName, BoundaryName, CreasesName);
 
 fn distance(text: &str) -> Result<f64, String> {
     number(text, 0.0..=f64::MAX, "a distance, 0 or more")

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use vvmesh::Mesh;
-use vvmesh::error::BuildError;
-use vvmesh::io::{self, FaceAttributes, Loaded};
+use vvmesh::error::{BuildError, ReadError};
+use vvmesh::io::{self, FaceAttributes, Format, Loaded, Note, NoteKind, ObjTags};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Expression, Selection};
 use vvmesh::soup::{FaceList, Triangulation};
@@ -15,10 +15,14 @@ use crate::table::count;
 /// Reads a file and tells what was ignored in it.
 pub(crate) fn read(path: &Path) -> Result<Loaded, Failure> {
     let loaded = io::read(path)?;
-    for ignored in &loaded.notes {
+    tell(path, &loaded.notes);
+    Ok(loaded)
+}
+
+fn tell<'a>(path: &Path, notes: impl IntoIterator<Item = &'a Note>) {
+    for ignored in notes {
         note(format_args!("{}: {ignored}", path.display()));
     }
-    Ok(loaded)
 }
 
 /// Reads a file and makes a mesh of it; polygons are cut into triangles, and that is told.
@@ -32,11 +36,33 @@ pub(crate) struct Input {
     pub(crate) mesh: Mesh,
     /// The triangles in the order of the file, and what it says of them; `None` if it says nothing.
     pub(crate) said: Option<(FaceList, FaceAttributes)>,
+    /// The tag lines of the file, if they were asked for.
+    pub(crate) tags: Option<ObjTags>,
 }
 
-/// As [`read_mesh`], for a mesh that is written again.
-pub(crate) fn read_mesh_with_attributes(path: &Path) -> Result<Input, Failure> {
-    let Loaded { faces, attributes, .. } = read(path)?;
+/// The tag lines of a file; that there are none is legal, and told.
+fn read_tags(path: &Path, loaded: &Loaded) -> Result<ObjTags, Failure> {
+    if loaded.format != Format::Obj {
+        return refuse(format!("--tags obj: {} is {}, which has no tag lines", path.display(), loaded.format));
+    }
+    if loaded.tag_lines.is_empty() {
+        note(format_args!("{}: there are no tag lines in it", path.display()));
+    }
+    loaded.tag_lines.parse().map_err(|error| at_line_of(path, error))
+}
+
+/// An error at a line of a file, with its name.
+pub(crate) fn at_line_of(path: &Path, error: ReadError) -> Failure {
+    ReadError { path: Some(path.to_owned()), ..error }.into()
+}
+
+/// As [`read_mesh`], for a mesh that is written again; with the tag lines of the file if they are asked for.
+pub(crate) fn read_mesh_with_attributes(path: &Path, with_tags: bool) -> Result<Input, Failure> {
+    let loaded = io::read(path)?;
+    let tags = if with_tags { Some(read_tags(path, &loaded)?) } else { None };
+    tell(path, loaded.notes.iter().filter(|note| !with_tags || note.kind != NoteKind::Tags));
+    tell(path, tags.iter().flat_map(|tags| &tags.notes));
+    let Loaded { faces, attributes, .. } = loaded;
     let cut = triangulation(path, &faces)?;
     let mesh = mesh_of(path, &faces, cut.as_ref())?;
     let said = (!attributes.is_empty()).then(|| match cut {
@@ -46,7 +72,7 @@ pub(crate) fn read_mesh_with_attributes(path: &Path) -> Result<Input, Failure> {
         }
         None => (faces, attributes),
     });
-    Ok(Input { mesh, said })
+    Ok(Input { mesh, said, tags })
 }
 
 /// The triangles of a list of faces if some are polygons, which is told.

@@ -39,8 +39,11 @@ pub(crate) fn run(arguments: &LimitArguments) -> Result<Outcome, Failure> {
     inputs.extend(arguments.tags.sharp.as_deref().map(|path| ("--sharp", path)));
     outputs::check(&[(OUT, &arguments.output)], &inputs)?;
 
-    let Input { mut mesh, said } = input::read_mesh_with_attributes(&arguments.mesh)?;
-    sharp::tag(&mut mesh, &arguments.tags)?;
+    let with_tags = arguments.tags.of_mesh.is_some();
+    let Input { mut mesh, said, tags } = input::read_mesh_with_attributes(&arguments.mesh, with_tags)?;
+    sharp::tag(&mut mesh, &arguments.mesh, tags.as_ref(), &arguments.tags)?;
+    sharp::refuse_unblended(&mesh, arguments.scheme == LimitName::Loop, arguments.scheme)?;
+    refuse_unfaded("", &mesh)?;
     let limit = limit(arguments);
     let without = if arguments.normals { without_normal(&limit, &mesh) } else { Vec::new() };
     let mut said = attributes::for_output(&arguments.mesh, &arguments.output, said);
@@ -86,6 +89,7 @@ pub(crate) fn move_vertices(
     attributes: Option<ObjAttributes>,
     limit: &(impl Limit + Sync),
 ) -> Result<Option<ObjAttributes>, Failure> {
+    refuse_unfaded(option, mesh)?;
     let positions = limit.positions(mesh);
     if let Some(k) = positions.iter().position(|position| !position.is_finite()) {
         return refuse(format!(
@@ -99,6 +103,21 @@ pub(crate) fn move_vertices(
     });
     mesh.positions_mut().copy_from_slice(&positions);
     Ok(attributes)
+}
+
+/// Refuses a mesh that has no known limit yet; the refusal begins with `option`.
+pub(crate) fn refuse_unfaded(option: &str, mesh: &Mesh) -> Result<(), Failure> {
+    let around = mesh.neighborhood();
+    let steps =
+        if mesh.tags().has_semi_sharp() { mesh.vertices().map(|v| around.semi_sharp_steps(v)).max() } else { None };
+    match steps {
+        None | Some(0) => Ok(()),
+        Some(steps) => refuse(format!(
+            "{option}edges or vertices of finite sharpness are left, and the limit is known when they have faded: refine \
+             by {} everywhere. Nothing was written",
+            count(steps as usize, "more level", "more levels")
+        )),
+    }
 }
 
 fn limit(arguments: &LimitArguments) -> AnyLimit {

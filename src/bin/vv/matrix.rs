@@ -9,11 +9,12 @@ use vvmesh::step::Keep;
 use crate::Outcome;
 use crate::args::{MatrixArguments, MethodName, loop_weights};
 use crate::console::{Failure, print, print_json, refuse};
+use crate::input::Input;
 use crate::memory::FaceLimit;
 use crate::outputs::{self, OUT};
 use crate::progress::Bar;
 use crate::table::count;
-use crate::{input, refine};
+use crate::{input, limit, refine};
 
 /// What is told of a matrix: its sizes, and what it takes in memory.
 #[derive(Serialize)]
@@ -33,14 +34,16 @@ pub(crate) fn run(arguments: &MatrixArguments) -> Result<Outcome, Failure> {
     }
     outputs::check(&[(OUT, output)], &refine::inputs(asked, &selecting))?;
 
-    let mesh = input::read_mesh(&asked.mesh)?;
+    let Input { mut mesh, tags, .. } = input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
+    refine::tag(&mut mesh, tags.as_ref(), asked)?;
     let mut matrix = SubdivisionMatrix::new(&mesh);
-    let limit = FaceLimit::with_matrix(asked.max_faces, &mesh, asked.scheme);
+    let face_limit = FaceLimit::with_matrix(asked.max_faces, &mesh, asked.scheme);
     let certificate = refine::scheme(asked).reach().is_some() && asked.method != MethodName::Uniform;
     let keep = Keep { names: false, certificate };
-    let mut run = refine::begin(mesh, asked, subdivider, &selecting, keep, limit)?;
-    refine::refine(&mut run, asked, &selecting, limit, Some(&mut matrix), &mut bar)?;
+    let mut run = refine::begin(mesh, asked, subdivider, &selecting, keep, face_limit)?;
+    refine::refine(&mut run, asked, &selecting, face_limit, Some(&mut matrix), &mut bar)?;
     let weights = if asked.limit {
+        limit::refuse_unfaded("--limit: ", &run.mesh)?;
         matrix.limit(&run.mesh, &LoopLimit::new(loop_weights(asked.weights)))
     } else {
         matrix.into_weights()

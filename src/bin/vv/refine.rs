@@ -5,13 +5,14 @@ use std::path::PathBuf;
 use vvmesh::adaptive::{Incremental, Simple, Uniform};
 use vvmesh::certify::Certificate;
 use vvmesh::error::RefineError;
+use vvmesh::io::ObjTags;
 use vvmesh::scheme::{AnyScheme, Butterfly, FourEight, Loop, Midpoint, ModifiedButterfly, Sqrt3};
 use vvmesh::select::Expression;
 use vvmesh::step::{Blocks, Cause, Keep, SplitKind, Spoiler};
 use vvmesh::subdivide::{Control, Follower, Subdivider};
 use vvmesh::{Mesh, VertexId};
 
-use crate::args::{BlocksName, MethodName, RefineArguments, SchemeName, loop_weights};
+use crate::args::{BlocksName, BoundaryName, MethodName, RefineArguments, SchemeName, loop_weights};
 use crate::console::{Failure, note, refuse, warning};
 use crate::memory::FaceLimit;
 use crate::outputs::{MESH, Named};
@@ -30,6 +31,17 @@ pub(crate) fn prepare(arguments: &RefineArguments) -> Result<(Subdivider, Select
     Ok((subdivider(arguments, scheme)?, Selecting::new(arguments)?))
 }
 
+/// Tags the input, and answers with the boundary policy.
+pub(crate) fn tag(
+    mesh: &mut Mesh,
+    tags: Option<&ObjTags>,
+    arguments: &RefineArguments,
+) -> Result<BoundaryName, Failure> {
+    let boundary = sharp::tag(mesh, &arguments.mesh, tags, &arguments.tags)?;
+    sharp::refuse_unblended(mesh, scheme(arguments).blends_sharpness(), arguments.scheme)?;
+    Ok(boundary)
+}
+
 /// The files that are read.
 pub(crate) fn inputs<'a>(arguments: &'a RefineArguments, selecting: &'a Selecting) -> Vec<Named<'a>> {
     let mut inputs = vec![(MESH, arguments.mesh.as_path())];
@@ -38,16 +50,15 @@ pub(crate) fn inputs<'a>(arguments: &'a RefineArguments, selecting: &'a Selectin
     inputs
 }
 
-/// Tags a mesh, refuses what would not fit, and selects.
+/// Refuses what would not fit, and selects.
 pub(crate) fn begin(
-    mut mesh: Mesh,
+    mesh: Mesh,
     arguments: &RefineArguments,
     subdivider: Subdivider,
     selecting: &Selecting,
     keep: Keep,
     limit: FaceLimit,
 ) -> Result<Run, Failure> {
-    sharp::tag(&mut mesh, &arguments.tags)?;
     if arguments.method == MethodName::Uniform {
         let parts = match scheme(arguments).split_kind() {
             SplitKind::Quadrisect => 4,
@@ -195,10 +206,15 @@ fn refuse_without_meaning(arguments: &RefineArguments, scheme: &AnyScheme) -> Re
             format!("--scheme {name}: it goes with `loop` only; `vv limit` knows other schemes"),
         ),
     ];
+    let creases = (
+        "--creases",
+        arguments.tags.creases.is_some() && !scheme.blends_sharpness(),
+        format!("--scheme {name}: its weights know no finite sharpness"),
+    );
     let tag = arguments.tags.first_given().filter(|_| !reads_tags);
     let tag =
         tag.map(|option| (option, true, format!("--scheme {name}: its weights know neither creases nor corners")));
-    match refusals.iter().chain(&tag).find(|(_, refused, _)| *refused) {
+    match refusals.iter().chain([&creases]).chain(&tag).find(|(_, refused, _)| *refused) {
         Some((option, _, reason)) => refuse(format!("{option} has no meaning with {reason}; leave it out")),
         None => Ok(()),
     }

@@ -55,6 +55,8 @@ pub(crate) struct Report {
     pub(crate) each_level: bool,
     /// `None` for schemes that do not know corners.
     pub(crate) boundary: Option<String>,
+    /// `None` for schemes that know no finite sharpness.
+    pub(crate) creases: Option<String>,
     pub(crate) limit: bool,
     pub(crate) input: Sizes,
     pub(crate) levels: Vec<Row>,

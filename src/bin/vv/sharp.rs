@@ -1,27 +1,62 @@
 //! Sharp edges and corners of the input: by angle, or from a file.
 
+use std::fmt::Display;
 use std::path::Path;
 
-use vvmesh::mesh::BoundaryPolicy;
+use vvmesh::io::ObjTags;
+use vvmesh::mesh::{BoundaryPolicy, Sharpness, SharpnessRule};
 use vvmesh::query::measure::{angle_between_rad, triangle_normal};
 use vvmesh::{Edge, Mesh, VertexId};
 
-use crate::args::{BoundaryName, TagArguments};
+use crate::args::{BoundaryName, CreasesName, TagArguments};
 use crate::console::{Failure, note, refuse};
+use crate::input;
 use crate::table::count;
 
-/// Tags a mesh that was read: corners by the boundary policy, sharp edges by angle or from a file.
-pub(crate) fn tag(mesh: &mut Mesh, arguments: &TagArguments) -> Result<(), Failure> {
-    mesh.apply_boundary_policy(match arguments.boundary {
-        None | Some(BoundaryName::Smooth) => BoundaryPolicy::Smooth,
+/// Tags a mesh that was read from a file: what its tag lines say, then what the options say, which win. Answers with the
+/// boundary policy.
+pub(crate) fn tag(
+    mesh: &mut Mesh,
+    file: &Path,
+    lines: Option<&ObjTags>,
+    arguments: &TagArguments,
+) -> Result<BoundaryName, Failure> {
+    mesh.set_sharpness_rule(match arguments.creases {
+        None | Some(CreasesName::Uniform) => SharpnessRule::Uniform,
+        Some(CreasesName::Chaikin) => SharpnessRule::Chaikin,
+    });
+    let policy = match arguments.boundary {
+        Some(BoundaryName::Smooth) => BoundaryPolicy::Smooth,
         Some(BoundaryName::Corners) => BoundaryPolicy::Corners,
         Some(BoundaryName::Fixed) => BoundaryPolicy::Fixed,
-    });
+        None => lines.and_then(|tags| tags.boundary).unwrap_or_default(),
+    };
+    if let Some(tags) = lines {
+        tags.put_on(mesh).map_err(|error| input::at_line_of(file, error))?;
+    }
+    mesh.apply_boundary_policy(policy);
     if let Some(degrees) = arguments.sharp_angle {
         let sharp = by_angle(mesh, degrees);
         note(format_args!("{} sharp, folded by more than {degrees} degrees", count(sharp, "edge is", "edges are")));
     }
-    arguments.sharp.as_deref().map_or(Ok(()), |path| from_file(mesh, path))
+    if let Some(path) = &arguments.sharp {
+        from_file(mesh, path)?;
+    }
+    Ok(match policy {
+        BoundaryPolicy::Smooth => BoundaryName::Smooth,
+        BoundaryPolicy::Corners => BoundaryName::Corners,
+        BoundaryPolicy::Fixed => BoundaryName::Fixed,
+    })
+}
+
+/// Refuses semi-sharp tags under a scheme whose masks cannot be blended.
+pub(crate) fn refuse_unblended(mesh: &Mesh, blends_sharpness: bool, scheme: impl Display) -> Result<(), Failure> {
+    if mesh.tags().has_semi_sharp() && !blends_sharpness {
+        return refuse(format!(
+            "--scheme {scheme} cannot blend masks: give every edge and vertex the sharpness `inf` or 0"
+        ));
+    }
+    Ok(())
 }
 
 /// Tags every edge sharp whose two triangles are folded by more than an angle. Answers how many there are.
@@ -46,7 +81,8 @@ fn by_angle(mesh: &mut Mesh, degrees: f64) -> usize {
     sharp.len()
 }
 
-/// Tags what a file names: lines `a b` or `a b inf` an edge, lines `a` a corner; `#` starts a comment.
+/// Tags what a file names: lines `a b` or `a b s` an edge, `a` a corner, `a - s` a vertex, where `s` is a sharpness; `#`
+/// starts a comment. A tag replaces the one before.
 fn from_file(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
     let text = match std::fs::read_to_string(path) {
         Ok(text) => text,
@@ -61,25 +97,30 @@ fn from_file(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
 }
 
 fn tag_line(mesh: &mut Mesh, words: &[&str]) -> Result<(), String> {
-    let (a, b) = match *words {
+    let (a, b, sharpness) = match *words {
         [] => return Ok(()),
         [a] => {
             let a = vertex(mesh, a)?;
             mesh.set_corner(a, true);
             return Ok(());
         }
-        [a, b] => (a, b),
-        [a, b, s] => {
-            sharpness(s)?;
-            (a, b)
+        [a, "-", s] => {
+            let a = vertex(mesh, a)?;
+            mesh.set_vertex_sharpness(a, sharpness(s)?);
+            return Ok(());
         }
-        _ => return Err(format!("expected `a b`, `a b inf` or `a`, found {} words", words.len())),
+        [a, b] => (a, b, Sharpness::INFINITE),
+        [a, b, s] => (a, b, sharpness(s)?),
+        _ => return Err(format!("expected `a b`, `a b s`, `a` or `a - s`, found {} words", words.len())),
     };
     let [a, b] = [vertex(mesh, a)?, vertex(mesh, b)?];
     if a == b {
-        return Err(format!("the edge runs from vertex {0} to itself; a corner is a line `{0}`", a.index()));
+        return Err(format!(
+            "the edge runs from vertex {0} to itself; a vertex is a line `{0}` or `{0} - s`",
+            a.index()
+        ));
     }
-    if !mesh.set_sharp(Edge::new(a, b), true) {
+    if !mesh.set_sharpness(Edge::new(a, b), sharpness) {
         return Err(format!("there is no edge between vertices {} and {}", a.index(), b.index()));
     }
     Ok(())
@@ -95,13 +136,7 @@ fn vertex(mesh: &Mesh, word: &str) -> Result<VertexId, String> {
     id.map(VertexId::new).ok_or_else(|| format!("there is no vertex {word}: the mesh has {}", mesh.vertex_count()))
 }
 
-/// Edges are infinitely sharp, or not at all.
-fn sharpness(word: &str) -> Result<(), String> {
-    match word.parse::<f64>() {
-        Ok(s) if s == f64::INFINITY => Ok(()),
-        Ok(s) if s.is_finite() => {
-            Err(format!("finite sharpness ({word}) is not supported; leave the number out, or write `inf`"))
-        }
-        _ => Err(format!("expected the sharpness `inf`, found `{word}`")),
-    }
+fn sharpness(word: &str) -> Result<Sharpness, String> {
+    let number = word.parse().ok().and_then(|number| Sharpness::new(number).ok());
+    number.ok_or_else(|| format!("expected a sharpness, 0 (smooth) or more or `inf`, found `{word}`"))
 }

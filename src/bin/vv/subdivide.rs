@@ -9,7 +9,7 @@ use vvmesh::limit::LoopLimit;
 use vvmesh::step::Keep;
 
 use crate::Outcome;
-use crate::args::{BoundaryName, MethodName, SubdivideArguments, loop_weights};
+use crate::args::{BoundaryName, CreasesName, MethodName, SubdivideArguments, loop_weights};
 use crate::attributes::{self, Finished};
 use crate::console::{Failure, json, print};
 use crate::input::Input;
@@ -28,7 +28,8 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let (subdivider, selecting) = refine::prepare(asked)?;
     check_outputs(arguments, &selecting)?;
 
-    let Input { mesh, said } = input::read_mesh_with_attributes(&asked.mesh)?;
+    let Input { mut mesh, said, tags } = input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
+    let boundary = refine::tag(&mut mesh, tags.as_ref(), asked)?;
     let said = attributes::to_take_along(arguments, &mesh, said)?;
     let limit = match said {
         Some(_) => FaceLimit::with_attributes(asked.max_faces),
@@ -45,7 +46,7 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
         run.attributes = limit::move_vertices("--limit: ", &mut run.mesh, run.attributes.take(), &limit)?;
     }
 
-    let report = report(arguments, &run, input);
+    let report = report(arguments, &run, input, boundary);
     bar.show_stage(format!("writing {}", arguments.output.display()));
     let attributes = run.attributes.take();
     let written = write(arguments, &run, &Finished::new(&run.mesh, attributes), &report);
@@ -87,10 +88,11 @@ fn keep(arguments: &SubdivideArguments) -> Keep {
     }
 }
 
-fn report(arguments: &SubdivideArguments, run: &Run, input: Sizes) -> Report {
+fn report(arguments: &SubdivideArguments, run: &Run, input: Sizes, boundary: BoundaryName) -> Report {
     let asked = &arguments.refine;
     let is_incremental = asked.method == MethodName::Incremental;
-    let boundary = asked.tags.boundary.unwrap_or(BoundaryName::Smooth);
+    let scheme = refine::scheme(asked);
+    let creases = asked.tags.creases.unwrap_or(CreasesName::Uniform);
     Report {
         mesh: asked.mesh.display().to_string(),
         output: arguments.output.display().to_string(),
@@ -99,7 +101,8 @@ fn report(arguments: &SubdivideArguments, run: &Run, input: Sizes) -> Report {
         rings: is_incremental.then(|| refine::rings(asked)),
         select: refine::expression(asked).to_owned(),
         each_level: asked.select_each.is_some(),
-        boundary: refine::scheme(asked).reads_tags().then(|| boundary.to_string()),
+        boundary: scheme.reads_tags().then(|| boundary.to_string()),
+        creases: scheme.blends_sharpness().then(|| creases.to_string()),
         limit: asked.limit,
         input,
         levels: run.levels.clone(),

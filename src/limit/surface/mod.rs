@@ -64,14 +64,14 @@ impl<'a> LimitSurface<'a> {
         Self { mesh, limit: LoopLimit::new(weights), bases: [const { OnceLock::new() }; BASES + 1] }
     }
 
-    /// The surface on a triangle, prepared for any number of points; `None` if the mesh has no such triangle. O(valence) of
-    /// its corners.
+    /// The surface on a triangle, prepared for any number of points; `None` if the mesh has no such triangle, or one of its
+    /// corners is [semi-sharp](crate::mesh::Neighborhood::is_semi_sharp). O(valence) of its corners.
     #[must_use]
     pub fn patch(&self, triangle: Triangle) -> Option<Patch<'_>> {
         let corners = triangle.corners();
         let [a, b, c] = corners;
         let is_there = self.mesh.rotation().contains(a) && self.mesh.ring(a).next(b) == Some(c);
-        if !is_there {
+        if !is_there || corners.iter().any(|&v| self.mesh.neighborhood().is_semi_sharp(v)) {
             return None;
         }
         let fans = Fans::of(self.mesh, self.limit.weights(), corners);
@@ -88,8 +88,8 @@ impl<'a> LimitSurface<'a> {
         Some(Patch { corners: at_corners, piece: self.piece(fans, limits) })
     }
 
-    /// One point with its derivatives; `None` if the mesh has no such triangle. For many points of a triangle
-    /// [`LimitSurface::patch`] does the common part once.
+    /// One point with its derivatives; `None` as for [`LimitSurface::patch`], which does the common part of many points of a
+    /// triangle once.
     ///
     /// # Panics
     /// If the coordinates are not those of a point of the triangle, as [`Patch::evaluate`].
