@@ -446,7 +446,7 @@ fn wrong_tag_lines_are_refused_where_they_are_read() {
     for (tag, words) in [
         ("crease 2/1/0 7 8", "expected 't crease 2/1/0 V1 V2 S'"),
         ("crease 2/0/0 7 8 1", "expected 't crease 2/1/0 V1 V2 S'"),
-        ("crease 2/1/0 7 8 -1", "sharpness = -1: a number, 0 (smooth) or more"),
+        ("crease 2/1/0 7 8 -1", "expected a sharpness, 0 (smooth) or more, found '-1'"),
         ("crease 2/1/0 7 8 soft", "expected a number, found 'soft'"),
         ("crease 2/1/0 7 8.5 1", "expected a whole number, found '8.5'"),
         ("crease 2/1/0 7 30 1", "vertex (counted from 0) 30, there are 30"),

@@ -3,7 +3,6 @@
 use std::fmt;
 use std::path::PathBuf;
 
-use super::ConfigError;
 use crate::id::VertexId;
 
 /// Why a file could not be read.
@@ -55,13 +54,11 @@ pub enum ReadErrorKind {
     Tag {
         /// The form.
         expected: &'static str,
-        /// What follows the `t`.
+        /// What stands there.
         found: String,
     },
     /// A tag names an edge between two vertices that have none.
     NoEdge([VertexId; 2]),
-    /// A number is not one that its place takes.
-    Value(ConfigError),
     /// A face has fewer than three corners.
     TooFewCorners(usize),
     /// More of this than 32-bit ids can name.
@@ -126,11 +123,10 @@ impl fmt::Display for ReadErrorKind {
             Self::IndexOutOfRange { of, index, count } => {
                 write!(f, "index out of range: {of} {index}, there are {count}")
             }
-            Self::Tag { expected, found } => write!(f, "expected {expected}, found 't {found}'"),
+            Self::Tag { expected, found } => write!(f, "expected {expected}, found '{found}'"),
             Self::NoEdge([a, b]) => {
                 write!(f, "there is no edge between the vertices {} and {}, counted from 0", a.index(), b.index())
             }
-            Self::Value(error) => error.fmt(f),
             Self::TooFewCorners(found) => write!(f, "a face has at least 3 corners, found {found}"),
             Self::TooMany(what) => write!(f, "more {what} than 32-bit ids can name; split the file"),
         }

@@ -20,6 +20,7 @@ const INFINITE_FROM: f64 = 10.0;
 
 const CREASE: &str = "'t crease 2/1/0 V1 V2 S' with vertices counted from 0 and a sharpness";
 const CORNER: &str = "'t corner 1/1/0 V S' with a vertex counted from 0 and a sharpness";
+const SHARPNESS: &str = "a sharpness, 0 (smooth) or more";
 const BOUNDARY: &str = "'t interpolateboundary 1/0/0 K' with 1 (edges and corners) or 2 (edges only)";
 
 /// The tag lines of a file as they stand in it, for whoever wants them: see [`TagLines::parse`].
@@ -105,7 +106,7 @@ impl ObjTags {
 
     fn line(&mut self, text: &str, line: usize) -> Result<(), ReadErrorKind> {
         let words: Vec<&[u8]> = Words::new(text.as_bytes()).collect();
-        let malformed = |expected| ReadErrorKind::Tag { expected, found: shown(text.as_bytes()) };
+        let malformed = |expected| ReadErrorKind::Tag { expected, found: format!("t {}", shown(text.as_bytes())) };
         match words[..] {
             [b"crease", b"2/1/0", a, b, s] => {
                 let vertices = [integer(a)?, integer(b)?];
@@ -127,7 +128,8 @@ impl ObjTags {
 }
 
 fn sharpness(word: &[u8]) -> Result<Sharpness, ReadErrorKind> {
-    let sharpness = Sharpness::new(float(word)?).map_err(ReadErrorKind::Value)?;
+    let malformed = |_| ReadErrorKind::Tag { expected: SHARPNESS, found: shown(word) };
+    let sharpness = Sharpness::new(float(word)?).map_err(malformed)?;
     Ok(if sharpness.value() >= INFINITE_FROM { Sharpness::INFINITE } else { sharpness })
 }
 

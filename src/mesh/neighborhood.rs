@@ -114,7 +114,13 @@ impl<'a> Neighborhood<'a> {
     #[inline]
     #[must_use]
     pub fn is_semi_sharp(&self, v: VertexId) -> bool {
-        self.tags.has_semi_sharp() && self.semi_sharp_steps(v) > 0
+        // A copy goes to the rare search, so that the view itself can stay in registers.
+        self.tags.has_semi_sharp() && Self::search_semi_sharp(*self, v)
+    }
+
+    #[inline(never)]
+    fn search_semi_sharp(self, v: VertexId) -> bool {
+        self.semi_sharp_steps(v) > 0
     }
 
     /// After how many steps, all around the vertex, neither it nor an edge at it is semi-sharp; 0 if none is now. With
@@ -137,15 +143,19 @@ impl<'a> Neighborhood<'a> {
     #[inline]
     #[must_use]
     pub fn class(&self, v: VertexId) -> VertexClass {
-        let ring = self.rotation.ring(v);
-        if self.tags.is_empty() {
-            return if ring.is_open() { VertexClass::Crease } else { VertexClass::Smooth };
+        if !self.tags.is_empty() {
+            return Self::class_by_tags(*self, v);
         }
+        if self.rotation.ring(v).is_open() { VertexClass::Crease } else { VertexClass::Smooth }
+    }
+
+    #[inline(never)]
+    fn class_by_tags(self, v: VertexId) -> VertexClass {
         if self.tags.is_corner(v) {
             return VertexClass::Corner;
         }
         let tagged = self.tags.sharp_neighbors(v);
-        let sharp = if ring.is_open() {
+        let sharp = if self.rotation.ring(v).is_open() {
             let on_boundary = |w: &&VertexId| self.rotation.is_boundary_edge(v, **w);
             2 + tagged.len() - tagged.iter().filter(on_boundary).count()
         } else {

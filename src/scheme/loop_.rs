@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use super::mask::Scaled;
 use super::{MaskSink, Reach, Scheme};
 use crate::id::VertexId;
 use crate::mesh::{Feature, Neighborhood, Transition, VertexClass};
@@ -114,34 +113,46 @@ impl Loop {
         self.weights
     }
 
+    /// The weight of a smooth vertex of `n` neighbours, and of each of them.
     #[inline]
-    fn smooth(&self, around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink) {
-        let ring = around.ring(v);
-        let n = ring.valence();
-        let [center, alpha] = self.table.get(n).copied().unwrap_or_else(|| self.weights.even(n));
-        mask.group(center, [v]);
-        mask.group(alpha, ring);
+    fn smooth(&self, n: usize) -> [f64; 2] {
+        self.table.get(n).copied().unwrap_or_else(|| self.weights.even(n))
     }
 
     /// The mask of an even vertex that is semi-sharp, or has a semi-sharp edge.
+    ///
+    /// It is answered, not written: a sink that went to a function of its own could not be kept in registers by all the
+    /// others.
     #[inline(never)]
-    fn semi_sharp(&self, around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink) {
+    fn semi_sharp(&self, around: Neighborhood<'_>, v: VertexId) -> Blend {
         let staying = around.vertex_sharpness(v).weight();
-        if staying > 0.0 {
-            mask.group(staying, [v]);
-        }
         let Transition { now, after, weight } = around.transition(v);
         let weight = if now == after { 1.0 } else { weight };
-        let parts = [(now, (1.0 - staying) * weight), (after, (1.0 - staying) * (1.0 - weight))];
-        for (feature, weight) in parts.into_iter().filter(|&(_, weight)| weight > 0.0) {
-            let mut part = Scaled::new(weight, mask);
+        let mut blend = Blend { center: staying, neighbor: 0.0, crease: None };
+        for (feature, weight) in [(now, weight), (after, 1.0 - weight)].into_iter().filter(|part| part.1 > 0.0) {
+            let weight = (1.0 - staying) * weight;
             match feature {
-                Feature::Smooth => self.smooth(around, v, &mut part),
-                Feature::Crease(along) => crease(v, along, &mut part),
-                Feature::Corner => part.group(1.0, [v]),
+                Feature::Smooth => {
+                    let [center, alpha] = self.smooth(around.ring(v).valence());
+                    blend.center += weight * center;
+                    blend.neighbor += weight * alpha;
+                }
+                Feature::Crease(along) => {
+                    blend.center += weight * 0.75;
+                    blend.crease = Some((weight * 0.125, along));
+                }
+                Feature::Corner => blend.center += weight,
             }
         }
+        blend
     }
+}
+
+/// The weights of an even vertex itself, of each neighbour, and of those along a crease beside that.
+struct Blend {
+    center: f64,
+    neighbor: f64,
+    crease: Option<(f64, [VertexId; 2])>,
 }
 
 impl Default for Loop {
@@ -172,11 +183,27 @@ impl Scheme for Loop {
     #[inline]
     fn even(&self, around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink) {
         if !around.has_no_tags() && around.is_semi_sharp(v) {
-            return self.semi_sharp(around, v, mask);
+            let Blend { center, neighbor, crease } = self.semi_sharp(around, v);
+            mask.group(center, [v]);
+            if neighbor > 0.0 {
+                mask.group(neighbor, around.ring(v));
+            }
+            if let Some((weight, along)) = crease {
+                mask.group(weight, along);
+            }
+            return;
         }
         match around.class(v) {
-            VertexClass::Smooth | VertexClass::Dart => self.smooth(around, v, mask),
-            VertexClass::Crease => crease(v, crease_neighbors(around, v), mask),
+            VertexClass::Smooth | VertexClass::Dart => {
+                let ring = around.ring(v);
+                let [center, alpha] = self.smooth(ring.valence());
+                mask.group(center, [v]);
+                mask.group(alpha, ring);
+            }
+            VertexClass::Crease => {
+                mask.group(0.75, [v]);
+                mask.group(0.125, crease_neighbors(around, v));
+            }
             VertexClass::Corner => mask.group(1.0, [v]),
         }
     }
@@ -184,36 +211,28 @@ impl Scheme for Loop {
     #[inline]
     fn odd(&self, around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
         let Parent { p, q, left, right } = *parent;
-        let (Some(left), Some(right)) = (left, right) else { return middle([p, q], mask) };
-        if !around.is_tagged(p, q) {
-            return between([p, q], [left, right], mask);
+        match (left, right) {
+            (Some(left), Some(right)) if !around.is_tagged(p, q) => {
+                mask.group(0.375, [p, q]);
+                mask.group(0.125, [left, right]);
+            }
+            // As much of 1/2, 1/2 as the edge is sharp, and the rest of the mask above.
+            (Some(left), Some(right)) => {
+                let sharp = sharp_part(around, p, q);
+                mask.group(0.375 + 0.125 * sharp, [p, q]);
+                if sharp < 1.0 {
+                    mask.group(0.125 * (1.0 - sharp), [left, right]);
+                }
+            }
+            _ => mask.group(0.5, [p, q]),
         }
-        let weight = around.sharpness(p, q).weight();
-        if weight < 1.0 {
-            between([p, q], [left, right], &mut Scaled::new(1.0 - weight, mask));
-        }
-        middle([p, q], &mut Scaled::new(weight, mask));
     }
 }
 
-/// The mask of an even vertex on a crease.
-#[inline]
-fn crease(v: VertexId, along: [VertexId; 2], mask: &mut impl MaskSink) {
-    mask.group(0.75, [v]);
-    mask.group(0.125, along);
-}
-
-/// The mask of an odd vertex between two triangles.
-#[inline]
-fn between(ends: [VertexId; 2], opposite: [VertexId; 2], mask: &mut impl MaskSink) {
-    mask.group(0.375, ends);
-    mask.group(0.125, opposite);
-}
-
-/// The mask of an odd vertex on a sharp edge.
-#[inline]
-fn middle(ends: [VertexId; 2], mask: &mut impl MaskSink) {
-    mask.group(0.5, ends);
+/// How much of the sharp mask a tagged edge takes. Apart, as few edges are tagged.
+#[inline(never)]
+fn sharp_part(around: Neighborhood<'_>, p: VertexId, q: VertexId) -> f64 {
+    around.sharpness(p, q).weight()
 }
 
 /// The two neighbours of a crease vertex along its crease, in ring order.

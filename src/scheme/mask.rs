@@ -141,21 +141,3 @@ mod tests {
         assert!(mask.apply(|_| 0.0).is_sign_negative());
     }
 }
-
-/// Passes the groups of a mask on with a part of their weights: so masks are blended.
-pub(super) struct Scaled<'a, M> {
-    scale: f64,
-    mask: &'a mut M,
-}
-
-impl<'a, M: MaskSink> Scaled<'a, M> {
-    pub(super) fn new(scale: f64, mask: &'a mut M) -> Self {
-        Self { scale, mask }
-    }
-}
-
-impl<M: MaskSink> MaskSink for Scaled<'_, M> {
-    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = VertexId>) {
-        self.mask.group(self.scale * weight, vertices);
-    }
-}
