@@ -1,5 +1,6 @@
 //! First derivatives at a vertex whose surroundings are not regular.
 
+use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_3, PI, TAU};
 
 use glam::{DMat2, DVec2, DVec3};
@@ -34,10 +35,10 @@ pub(super) fn tangents(limit: LoopLimit, mesh: &Mesh, v: VertexId, [next, third]
             (faces, turn, sector.neighbors().collect())
         }
     };
-    let flat = |w: VertexId| {
-        let place = neighbors.iter().position(|&u| u == w);
-        place.map_or(DVec2::ZERO, |j| DVec2::from_angle(turn * j as f64 / faces as f64))
-    };
+    let spoke = |(j, w)| (w, DVec2::from_angle(turn * j as f64 / faces as f64));
+    let spokes: BTreeMap<VertexId, DVec2> = neighbors.into_iter().enumerate().map(spoke).collect();
+    // The vertex itself is at 0.
+    let flat = |w: VertexId| spokes.get(&w).copied().unwrap_or(DVec2::ZERO);
     let mut masks = [Mask::default(), Mask::default()];
     let [first, second] = &mut masks;
     limit.tangent_masks(around, v, side, first, second);

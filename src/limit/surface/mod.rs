@@ -65,7 +65,8 @@ impl<'a> LimitSurface<'a> {
     }
 
     /// The surface on a triangle, prepared for any number of points; `None` if the mesh has no such triangle, or one of its
-    /// corners is [semi-sharp](crate::mesh::Neighborhood::is_semi_sharp). O(valence) of its corners.
+    /// corners is [semi-sharp](crate::mesh::Neighborhood::is_semi_sharp). O(n log n) for n neighbours of its corners, and
+    /// once for each valence up to 32 O(n²).
     #[must_use]
     pub fn patch(&self, triangle: Triangle) -> Option<Patch<'_>> {
         let corners = triangle.corners();
