@@ -8,7 +8,7 @@
 //! | scheme | position | tangents |
 //! |---|---|---|
 //! | [`LoopLimit`] | smooth, crease, boundary, corner, dart | the same; none at the tip of a cone |
-//! | [`ButterflyLimit`] | the vertex | inside for valences 4 to 7; every boundary vertex |
+//! | [`ButterflyLimit`] | the vertex | inside for valences 4 to 7, on boundaries up to 18 |
 //! | [`ModifiedButterflyLimit`] | the vertex | all but sectors of two faces and more at a corner |
 //! | [`Sqrt3Limit`] | inside, boundary | the same |
 //!
