@@ -405,6 +405,25 @@ fn adaptive_meshes_conform_after_each_of_six_steps() {
     }
 }
 
+/// The time of a step grows with the valence of a vertex, not with its square: else this would take minutes.
+#[test]
+fn a_vertex_of_high_valence_is_no_trap() {
+    const N: u32 = 30_000;
+    let rim = (0..N).map(f64::from).map(|k| DVec3::new(k.sin(), k.cos(), 0.0));
+    let positions = [DVec3::Z, -DVec3::Z].into_iter().chain(rim).collect();
+    let faces: Vec<[u32; 3]> =
+        (0..N).map(|k| [2 + k, 2 + (k + 1) % N]).flat_map(|[p, q]| [[0, p, q], [1, q, p]]).collect();
+    let mesh = Mesh::from_triangles(positions, &faces).unwrap();
+    for subdivider in [uniform(), incremental(1), simple()] {
+        let mut run = Run::new(&mesh);
+        let mut selection: Selection = mesh.vertices().filter(|v| v.index() % 5 != 4).collect();
+        for _ in 0..2 {
+            selection = run.step(&subdivider, &selection).selection;
+        }
+        assert_eq!(run.mesh.rotation().validate_triangles(), []);
+    }
+}
+
 // A step is made whole or not at all.
 
 #[test]

@@ -87,12 +87,20 @@ impl State {
     }
 }
 
-/// The triangle that has to be split instead of one that lags; `None` if a triangle does not lag.
+/// The triangle that has to be split instead of one that lags; `None` if a triangle does not lag. O(1) if it is even, else
+/// O(valence) of the end of its mate that has fewer neighbours.
 #[inline]
 pub(crate) fn across_mate(rotation: &RotationSystem, state: State) -> Option<Triangle> {
     match state {
         State::Even { .. } => None,
-        State::Odd { mate: [a, b], .. } => rotation.right_of(a, b).map(|c| Triangle::new(b, a, c)),
+        State::Odd { mate: [a, b], .. } => {
+            let right = if rotation.valence(a) < rotation.valence(b) {
+                rotation.right_of(a, b)
+            } else {
+                rotation.left_of(b, a)
+            };
+            right.map(|c| Triangle::new(b, a, c))
+        }
     }
 }
 

@@ -122,9 +122,11 @@ impl Passes<'_> {
         }
     }
 
+    /// Whether a triangle is still there. O(valence) of the corner that has the fewest neighbours.
     fn exists(&self, triangle: Triangle) -> bool {
-        let [a, b, c] = triangle.corners();
-        self.mesh.rotation().left_of(a, b) == Some(c)
+        let ([a, b, c], rotation) = (triangle.corners(), self.mesh.rotation());
+        let seen = [[a, b, c], [b, c, a], [c, a, b]].into_iter().min_by_key(|seen| rotation.valence(seen[0]));
+        seen.is_some_and(|[a, b, c]| rotation.left_of(a, b) == Some(c))
     }
 
     fn across_mate(&self, triangle: Triangle) -> Option<Triangle> {
@@ -140,7 +142,8 @@ impl Passes<'_> {
     /// One of those that have to be split before a triangle can be.
     fn needed(&self, triangle: Triangle) -> Option<Triangle> {
         let level = self.levels.state(triangle).level();
-        let mut youngest = triangle.corners().into_iter().filter(|&v| self.levels.of(v) == level);
+        // The stars of input vertices wait for nothing.
+        let mut youngest = triangle.corners().into_iter().filter(|&v| level > 0 && self.levels.of(v) == level);
         self.across_mate(triangle).or_else(|| youngest.find_map(|v| self.needed_around(v)))
     }
 
