@@ -78,7 +78,8 @@ fn the_matrix_makes_what_subdivide_writes() {
                 let options = format!(
                     "--scheme {scheme} --levels 2 --method {method} --select disk:8,1 --max-faces 10000 {sharp}"
                 );
-                if (scheme, method) == ("sqrt3", "simple") {
+                // Under 4-8 the second step of a part reads positions that the first moved on from.
+                if (scheme, method) == ("sqrt3", "simple") || (scheme == "four-eight" && method != "uniform") {
                     desk.vv(&format!("matrix {mesh} -o S.mtx {options}")).assert_refused("take another method");
                     continue;
                 }
