@@ -201,14 +201,16 @@ impl Attributes {
         Some(mesh.triangles().map(|triangle| labels.of(triangle, ancestry)).collect())
     }
 
-    /// Makes a step with [`Subdivider::step`], and takes everything along.
+    /// Makes a step with [`Subdivider::step`], and takes everything along. Between steps positions and tags of the mesh may
+    /// change, nothing else.
     ///
     /// # Errors
     /// Those of [`Subdivider::step`], and [`RefineError::Unfollowed`] for labels of faces and corner channels if the
     /// scheme does not split triangles in four. The attributes are then as before, like the mesh.
     ///
     /// # Panics
-    /// If a chart mesh would need more vertices than 32-bit ids name.
+    /// If the mesh is not the one that the attributes were added to, or was edited between steps; if a chart mesh would
+    /// need more vertices than 32-bit ids name.
     ///
     /// # Complexity
     /// O(region), as the step itself, and O(sharp edges of the mesh) for each corner channel.
