@@ -19,7 +19,7 @@ type Run = fn(&mut dyn std::io::Write) -> Result<(), Box<dyn std::error::Error>>
 
 examples! {
     rings, "../examples/01_rings.rs", "9 vertices - 16 edges + 8 faces = 1, with 1 boundary loop";
-    masks, "../examples/02_masks.rs", "-0.0625 for";
+    masks, "../examples/02_masks.rs", "-0.06250 for";
     refine, "../examples/03_refine_a_region.rs", "incremental: ";
     paths, "../examples/04_paths.rs", "1 component";
     cage, "../examples/05_moving_cage.rs", "frame 3: ";
