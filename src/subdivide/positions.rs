@@ -146,7 +146,7 @@ pub(super) fn show_whole<S: Scheme>(scheme: &S, mesh: &Mesh, whole: &Whole<'_>, 
 /// The new position of an old vertex.
 #[inline]
 fn even<S: Scheme>(scheme: &S, around: Neighborhood<'_>, positions: &[DVec3], v: VertexId) -> DVec3 {
-    let mut sum = WeightedSum::new(|w: VertexId| positions[w.index()]);
+    let mut sum = WeightedSum::new(move |w: VertexId| positions[w.index()]);
     scheme.even(around, v, &mut sum);
     sum.total().unwrap_or(NO_POSITION)
 }
@@ -154,7 +154,7 @@ fn even<S: Scheme>(scheme: &S, around: Neighborhood<'_>, positions: &[DVec3], v:
 /// The position of a new vertex.
 #[inline]
 fn odd<S: Scheme>(scheme: &S, around: Neighborhood<'_>, positions: &[DVec3], parent: &Parent) -> DVec3 {
-    let mut sum = WeightedSum::new(|w: VertexId| positions[w.index()]);
+    let mut sum = WeightedSum::new(move |w: VertexId| positions[w.index()]);
     scheme.odd(around, parent, &mut sum);
     sum.total().unwrap_or(NO_POSITION)
 }

@@ -1,0 +1,218 @@
+//! A step of the split in four: everything at once, or a region in place.
+//!
+//! Both give the same bits; the first keeps no plan and can share its work out, the second costs what its region costs and
+//! tells vertices apart.
+//!
+//! **Deliberately not here**: rings ([`crate::split`]), weights ([`crate::scheme`]).
+
+use super::{Control, Step, positions};
+use crate::certify::{self, Certificate};
+use crate::error::RefineError;
+use crate::id::{Edge, VertexId};
+use crate::mesh::Mesh;
+use crate::scheme::Scheme;
+use crate::scratch::Scratch;
+use crate::select::Selection;
+use crate::split::quadrisect::{self, Closing, Plan};
+use crate::split::whole::Whole;
+use crate::split::{Diagonal, Quad};
+use crate::step::{History, Lineage, Region, SplitKind};
+
+/// How all steps of a run are made.
+pub(super) struct Quadrisection<'a, S> {
+    pub(super) scheme: &'a S,
+    /// Whether the method promises exactness.
+    pub(super) exact: bool,
+    pub(super) diagonal: Diagonal,
+}
+
+impl<S: Scheme + Sync> Quadrisection<'_, S> {
+    /// Refines a region, or the whole mesh.
+    pub(super) fn step(
+        &self,
+        mesh: &mut Mesh,
+        history: &mut History,
+        selection: &Selection,
+        region: &Region,
+        scratch: &mut Scratch,
+        control: &mut Control<'_>,
+    ) -> Result<Step, RefineError> {
+        let unproven = match Certificate::new(mesh, history) {
+            Some(certificate) if self.exact => certificate.unproven(selection, self.scheme.reach()),
+            _ => Vec::new(),
+        };
+        // The short way numbers and places everything alike, but does not say where the new vertices come from.
+        let step = if region.is_everything() && !history.tells_vertices_apart() {
+            self.refine_whole(mesh, history, selection, scratch, control)?
+        } else {
+            self.refine(mesh, history, selection, region, scratch, control)?
+        };
+        Ok(Step { unproven, ..step })
+    }
+
+    /// Refines the whole mesh.
+    fn refine_whole(
+        &self,
+        mesh: &mut Mesh,
+        history: &mut History,
+        selection: &Selection,
+        scratch: &mut Scratch,
+        control: &mut Control<'_>,
+    ) -> Result<Step, RefineError> {
+        let (old, new) = (mesh.vertex_count(), mesh.edge_count());
+        control.allow(old + new, mesh.face_count(), 3 * mesh.face_count())?;
+        let whole = Whole::new(mesh.rotation(), history);
+        let new_positions = positions::of_whole(self.scheme, mesh, &whole, control)?;
+
+        // From here on nothing can fail.
+        control.show(old, old + new, |masks| positions::show_whole(self.scheme, mesh, &whole, masks));
+        let mut followed = scratch.take_list();
+        followed.extend_from_slice(selection.vertices());
+        if selection.len() == old {
+            followed.extend((old..old + new).map(VertexId::new));
+        } else {
+            let marks = scratch.marked(old, selection.vertices());
+            whole.append_between(selection.vertices(), |w| marks.is_set(w), &mut followed);
+        }
+        let rings = whole.rings();
+        let mut sharp: Vec<(VertexId, Edge)> =
+            mesh.tags().sharp_edges().into_iter().map(|edge| (whole.on(edge), edge)).collect();
+        sharp.sort_unstable();
+        let (rotation, positions, tags) = mesh.parts_mut();
+        *positions = new_positions;
+        // In the order of the new vertices, as when a region is split.
+        tags.refine(rotation, sharp.into_iter(), (0..old).map(VertexId::new));
+        let max_valence = match new {
+            0 => 0,
+            edges if edges == rotation.boundary_edge_count() => 4,
+            _ => 6,
+        };
+        rotation.replace_by_split(rings);
+        history.record(SplitKind::Quadrisect, old + new, std::iter::empty(), &[], max_valence);
+        let certified = history.exactness_mut().map(|exactness| {
+            exactness.advance(old + new, self.scheme.moves_even());
+            old + new
+        });
+        Ok(Step {
+            selection: Selection::ascending(followed),
+            selected: selection.len(),
+            region: old,
+            split_edges: new,
+            certified,
+            ..Step::default()
+        })
+    }
+
+    /// Refines a region as it is given.
+    fn refine(
+        &self,
+        mesh: &mut Mesh,
+        history: &mut History,
+        selection: &Selection,
+        region: &Region,
+        scratch: &mut Scratch,
+        control: &mut Control<'_>,
+    ) -> Result<Step, RefineError> {
+        if region.is_everything() {
+            control.allow(mesh.vertex_count() + mesh.edge_count(), mesh.face_count(), 3 * mesh.face_count())?;
+        }
+        let mut buffers = scratch.take::<Buffers>();
+        let step = self.refine_with(&mut buffers, mesh, history, selection, region, scratch, control);
+        scratch.give(buffers);
+        step
+    }
+
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "those of a step, and its buffers apart from the scratch they lie in"
+    )]
+    fn refine_with(
+        &self,
+        buffers: &mut Buffers,
+        mesh: &mut Mesh,
+        history: &mut History,
+        selection: &Selection,
+        region: &Region,
+        scratch: &mut Scratch,
+        control: &mut Control<'_>,
+    ) -> Result<Step, RefineError> {
+        let Buffers { plan, levels, positions, handed, closing } = buffers;
+        let moving = region.vertices(mesh.vertex_count());
+        quadrisect::plan(plan, mesh.rotation(), history, region, &moving, scratch);
+        control.allow(plan.first + plan.edges.len(), mesh.face_count(), plan.added_faces)?;
+        child_levels(levels, history, plan)?;
+        positions::append_odd(self.scheme, mesh, &moving, plan, positions, control)?;
+
+        // From here on nothing can fail.
+        let (before, after) = (plan.first, plan.first + plan.edges.len());
+        control.show(before, after, |masks| positions::show_region(self.scheme, mesh, &moving, plan, masks));
+        if let Some(exactness) = history.exactness_mut() {
+            let (reach, moves_even) = (self.scheme.reach(), self.scheme.moves_even());
+            certify::before(handed, exactness, mesh, &moving, plan, reach, moves_even);
+        }
+        for (&v, &position) in moving.iter().zip(&positions.moved) {
+            mesh.positions_mut()[v.index()] = position;
+        }
+        split(mesh, plan, &moving, closing, self.diagonal);
+
+        let certified = history.exactness_mut().map(|exactness| {
+            certify::after(exactness, handed, mesh, &moving, plan, closing);
+            // Only what took part can be certified, as the proof of a rotation lapses elsewhere.
+            let new = plan.odd().map(|(x, _)| x);
+            moving.iter().copied().chain(new).filter(|&v| certify::is_certified(exactness, mesh, v)).count()
+        });
+        let made = levels.iter().copied().zip(plan.edges.iter().map(|edge| Lineage::Edge(edge.ends())));
+        history.record(SplitKind::Quadrisect, mesh.vertex_count(), made, &closing.edges, closing.max_valence);
+        Ok(Step {
+            selection: follow(selection, plan, mesh.vertex_count(), scratch),
+            selected: selection.len(),
+            region: moving.len(),
+            split_edges: plan.edges.len(),
+            t_vertices: std::mem::replace(&mut closing.t_vertices, scratch.take_list()),
+            o_vertices: std::mem::replace(&mut closing.o_vertices, scratch.take_list()),
+            certified,
+            unproven: Vec::new(),
+        })
+    }
+}
+
+/// What a step needs while it is made, kept from step to step.
+#[derive(Default)]
+struct Buffers {
+    plan: Plan,
+    levels: Vec<u8>,
+    positions: positions::Buffer,
+    handed: certify::Handed,
+    closing: Closing,
+}
+
+/// The levels of the new vertices; empty if names are not kept.
+fn child_levels(levels: &mut Vec<u8>, history: &History, plan: &Plan) -> Result<(), RefineError> {
+    levels.clear();
+    if history.has_names() {
+        for edge in &plan.edges {
+            levels.push(history.child_level(edge.ends())?);
+        }
+    }
+    Ok(())
+}
+
+/// Splits rings and tags; positions are those after the step, in which the vertices `moving` took part.
+fn split(mesh: &mut Mesh, plan: &Plan, moving: &[VertexId], closing: &mut Closing, diagonal: Diagonal) {
+    let (rotation, positions, tags) = mesh.parts_mut();
+    if !tags.is_empty() {
+        let edge = |[p, q]: [VertexId; 2]| Edge::new(p, q);
+        let split = plan.odd().map(|(x, split)| (x, edge(split.ends())));
+        tags.refine(rotation, split, moving.iter().copied());
+    }
+    quadrisect::apply(rotation, plan, closing, |quad: Quad, valences| diagonal.start(quad, valences, positions));
+}
+
+/// S' = S and every new vertex between two vertices of S. O(S and the region).
+fn follow(selection: &Selection, plan: &Plan, vertex_count: usize, scratch: &mut Scratch) -> Selection {
+    let mut vertices = scratch.take_list();
+    vertices.extend_from_slice(selection.vertices());
+    let marks = scratch.marked(vertex_count, selection.vertices());
+    vertices.extend(plan.odd().filter(|(_, edge)| edge.ends().iter().all(|&end| marks.is_set(end))).map(|(x, _)| x));
+    Selection::ascending(vertices)
+}
