@@ -73,7 +73,13 @@ pub fn conformity(list: &FaceList, tolerance: Option<f64>) -> Report {
 /// O(vertices + triangles), and along the boundary as for [`conformity`].
 #[must_use]
 pub fn mesh_conformity(mesh: &Mesh, tolerance: Option<f64>) -> Report {
-    of_mesh(&mesh.to_face_list(), mesh.rotation(), tolerance)
+    let list = if is_closed(mesh.rotation()) { FaceList::new(mesh.positions().to_vec()) } else { mesh.to_face_list() };
+    of_mesh(&list, mesh.rotation(), tolerance)
+}
+
+/// Whether there is no boundary: then nothing is asked of faces.
+fn is_closed(rotation: &RotationSystem) -> bool {
+    rotation.boundary_edge_count() == 0
 }
 
 /// Findings on the triangles of a mesh: there are rings exactly if there is no [`Defect`], so what is left is what
@@ -83,9 +89,11 @@ fn of_mesh(list: &FaceList, rotation: &RotationSystem, tolerance: Option<f64>) -
     parallel::append(&mut used, 0..list.vertex_count(), |v| rotation.valence(VertexId::new(v)) > 0);
     // Between two boundary vertices an edge has all its faces among those at the boundary.
     let on_boundary = |v: u32| rotation.is_boundary(VertexId::new(v as usize));
-    let mut at_boundary = Vec::with_capacity(list.face_count());
-    parallel::append(&mut at_boundary, 0..list.face_count(), |k| list.face(k).iter().any(|&v| on_boundary(v)));
-    let table = EdgeTable::new(list, &at_boundary);
+    let no_faces = FaceList::default();
+    let faces = if is_closed(rotation) { &no_faces } else { list };
+    let mut at_boundary = Vec::with_capacity(faces.face_count());
+    parallel::append(&mut at_boundary, 0..faces.face_count(), |k| faces.face(k).iter().any(|&v| on_boundary(v)));
+    let table = EdgeTable::new(faces, &at_boundary);
     let edges = table.edges().filter(|edge| edge.is_boundary() && edge.ends().into_iter().all(on_boundary));
     let boundary = Boundary::new(list, &table, edges.collect(), &used, tolerance);
 
