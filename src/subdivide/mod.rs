@@ -159,7 +159,7 @@ impl Subdivider {
     /// Refines the region that the method chooses for a selection.
     ///
     /// # Errors
-    /// A selected vertex that does not exist, a history of another [`SplitKind`] or under √3 of other methods, a
+    /// A selected vertex that does not exist, a history of another [`SplitKind`](crate::step::SplitKind) or under √3 of other methods, a
     /// follower without masks to follow, semi-sharp tags that the scheme cannot blend, more faces than
     /// [`Control::max_faces`], more vertices than 32-bit ids name, a 256th level, a position that is not finite, or the
     /// caller's wish to stop. The mesh and the history are then as before.
