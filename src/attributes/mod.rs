@@ -254,6 +254,9 @@ impl Attributes {
     /// Puts the values of channels that follow the scheme where infinitely many steps of a scheme would.
     ///
     /// `mesh` has its rings and tags as they are after the last step.
+    ///
+    /// # Panics
+    /// If the limit of a vertex is not known yet, see [`Limit::mask`].
     pub fn move_to_limit(&mut self, mesh: &Mesh, limit: &impl Limit) {
         let around = mesh.neighborhood();
         for channel in &mut self.vertex {

@@ -75,7 +75,8 @@ impl SubdivisionMatrix {
     /// The rows of the limit positions of all vertices. O(nonzeros).
     ///
     /// # Panics
-    /// If the mesh is not the one that was followed: it has not as many vertices as there are rows.
+    /// If the mesh is not the one that was followed: it has not as many vertices as there are rows; or if the limit of a vertex
+    /// is not known yet, see [`Limit::mask`].
     #[must_use]
     pub fn limit(&self, mesh: &Mesh, limit: &impl Limit) -> WeightMatrix {
         self.assert_followed(mesh);
