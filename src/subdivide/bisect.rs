@@ -43,7 +43,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::positions::{NO_POSITION, finite};
-use super::{Control, Step};
+use super::{Control, Request, Step};
 use crate::error::RefineError;
 use crate::id::{Edge, VertexId};
 use crate::mesh::Mesh;
@@ -54,21 +54,14 @@ use crate::select::Selection;
 use crate::split::bisect::Plan;
 use crate::split::generation::Generations;
 use crate::split::matching::input_blocks;
-use crate::step::{Bisections, History, Lineage, Region, SplitKind};
+use crate::step::{Bisections, History, Lineage, SplitKind};
 
 /// After how many new positions the caller is asked whether to go on.
 const REPORTED: usize = 1 << 10;
 
 /// Refines a region.
-pub(super) fn step(
-    scheme: &FourEight,
-    mesh: &mut Mesh,
-    history: &mut History,
-    selection: &Selection,
-    region: &Region,
-    scratch: &mut Scratch,
-    control: &mut Control<'_>,
-) -> Result<Step, RefineError> {
+pub(super) fn step(scheme: &FourEight, request: Request<'_, '_>) -> Result<Step, RefineError> {
+    let Request { mesh, history, selection, region, scratch, control } = request;
     let first_step = history.bisections().is_none().then(|| Bisections {
         blocks: input_blocks(mesh.rotation(), scheme.blocks(), |v, w| {
             mesh.position(v).distance_squared(mesh.position(w))

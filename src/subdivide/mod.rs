@@ -31,7 +31,7 @@ use crate::scheme::{AnyScheme, Scheme};
 use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::Diagonal;
-use crate::step::History;
+use crate::step::{History, Region};
 use quadrisect::Quadrisection;
 
 /// How far a step is.
@@ -110,6 +110,16 @@ impl Step {
     }
 }
 
+/// What a step of any split works on.
+struct Request<'a, 'c> {
+    mesh: &'a mut Mesh,
+    history: &'a mut History,
+    selection: &'a Selection,
+    region: &'a Region,
+    scratch: &'a mut Scratch,
+    control: &'a mut Control<'c>,
+}
+
 /// A scheme and a method, ready to make steps.
 ///
 /// ```
@@ -186,24 +196,14 @@ impl Subdivider {
             return Err(RefineError::SemiSharp);
         }
         let region = self.method.region(mesh, selection, scratch);
+        let request = Request { mesh, history, selection, region: &region, scratch: &mut *scratch, control };
         let step = match &self.scheme {
-            AnyScheme::Loop(scheme) => {
-                self.quadrisection(scheme).step(mesh, history, selection, &region, scratch, control)
-            }
-            AnyScheme::Butterfly(scheme) => {
-                self.quadrisection(scheme).step(mesh, history, selection, &region, scratch, control)
-            }
-            AnyScheme::ModifiedButterfly(scheme) => {
-                self.quadrisection(scheme).step(mesh, history, selection, &region, scratch, control)
-            }
-            AnyScheme::Midpoint(scheme) => {
-                self.quadrisection(scheme).step(mesh, history, selection, &region, scratch, control)
-            }
-            AnyScheme::Sqrt3(scheme) => {
-                let exact = self.method.promises_exactness();
-                trisect::step(scheme, exact, mesh, history, selection, &region, scratch, control)
-            }
-            AnyScheme::FourEight(scheme) => bisect::step(scheme, mesh, history, selection, &region, scratch, control),
+            AnyScheme::Loop(scheme) => self.quadrisection(scheme).step(request),
+            AnyScheme::Butterfly(scheme) => self.quadrisection(scheme).step(request),
+            AnyScheme::ModifiedButterfly(scheme) => self.quadrisection(scheme).step(request),
+            AnyScheme::Midpoint(scheme) => self.quadrisection(scheme).step(request),
+            AnyScheme::Sqrt3(scheme) => trisect::step(scheme, self.method.promises_exactness(), request),
+            AnyScheme::FourEight(scheme) => bisect::step(scheme, request),
         };
         scratch.give_list(region.into_list());
         step

@@ -5,7 +5,7 @@
 //!
 //! **Deliberately not here**: rings ([`crate::split`]), weights ([`crate::scheme`]).
 
-use super::{Control, Step, positions};
+use super::{Request, Step, positions};
 use crate::certify::{self, Certificate};
 use crate::error::RefineError;
 use crate::id::{Edge, VertexId};
@@ -16,7 +16,7 @@ use crate::select::Selection;
 use crate::split::quadrisect::{self, Closing, Plan};
 use crate::split::whole::Whole;
 use crate::split::{Diagonal, Quad};
-use crate::step::{History, Lineage, Region, SplitKind};
+use crate::step::{History, Lineage, SplitKind};
 
 /// How all steps of a run are made.
 pub(super) struct Quadrisection<'a, S> {
@@ -28,37 +28,24 @@ pub(super) struct Quadrisection<'a, S> {
 
 impl<S: Scheme + Sync> Quadrisection<'_, S> {
     /// Refines a region, or the whole mesh.
-    pub(super) fn step(
-        &self,
-        mesh: &mut Mesh,
-        history: &mut History,
-        selection: &Selection,
-        region: &Region,
-        scratch: &mut Scratch,
-        control: &mut Control<'_>,
-    ) -> Result<Step, RefineError> {
+    pub(super) fn step(&self, request: Request<'_, '_>) -> Result<Step, RefineError> {
+        let Request { mesh, history, selection, region, .. } = &request;
         let unproven = match Certificate::new(mesh, history) {
             Some(certificate) if self.exact => certificate.unproven(selection, self.scheme.reach()),
             _ => Vec::new(),
         };
         // The short way numbers and places everything alike, but does not say where the new vertices come from.
         let step = if region.is_everything() && !history.tells_vertices_apart() {
-            self.refine_whole(mesh, history, selection, scratch, control)?
+            self.refine_whole(request)?
         } else {
-            self.refine(mesh, history, selection, region, scratch, control)?
+            self.refine(request)?
         };
         Ok(Step { unproven, ..step })
     }
 
     /// Refines the whole mesh.
-    fn refine_whole(
-        &self,
-        mesh: &mut Mesh,
-        history: &mut History,
-        selection: &Selection,
-        scratch: &mut Scratch,
-        control: &mut Control<'_>,
-    ) -> Result<Step, RefineError> {
+    fn refine_whole(&self, request: Request<'_, '_>) -> Result<Step, RefineError> {
+        let Request { mesh, history, selection, scratch, control, .. } = request;
         let (old, new) = (mesh.vertex_count(), mesh.edge_count());
         control.allow(old + new, mesh.face_count(), 3 * mesh.face_count())?;
         let whole = Whole::new(mesh.rotation(), history);
@@ -104,38 +91,22 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
     }
 
     /// Refines a region as it is given.
-    fn refine(
-        &self,
-        mesh: &mut Mesh,
-        history: &mut History,
-        selection: &Selection,
-        region: &Region,
-        scratch: &mut Scratch,
-        control: &mut Control<'_>,
-    ) -> Result<Step, RefineError> {
+    fn refine(&self, request: Request<'_, '_>) -> Result<Step, RefineError> {
+        let Request { mesh, region, control, .. } = &request;
         if region.is_everything() {
             control.allow(mesh.vertex_count() + mesh.edge_count(), mesh.face_count(), 3 * mesh.face_count())?;
         }
-        let mut buffers = scratch.take::<Buffers>();
-        let step = self.refine_with(&mut buffers, mesh, history, selection, region, scratch, control);
+        let mut buffers = request.scratch.take::<Buffers>();
+        let Request { mesh, history, selection, region, scratch, control } = request;
+        let request = Request { mesh, history, selection, region, scratch: &mut *scratch, control };
+        let step = self.refine_with(&mut buffers, request);
         scratch.give(buffers);
         step
     }
 
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "those of a step, and its buffers apart from the scratch they lie in"
-    )]
-    fn refine_with(
-        &self,
-        buffers: &mut Buffers,
-        mesh: &mut Mesh,
-        history: &mut History,
-        selection: &Selection,
-        region: &Region,
-        scratch: &mut Scratch,
-        control: &mut Control<'_>,
-    ) -> Result<Step, RefineError> {
+    /// The same with buffers, which lie apart from the scratch.
+    fn refine_with(&self, buffers: &mut Buffers, request: Request<'_, '_>) -> Result<Step, RefineError> {
+        let Request { mesh, history, selection, region, scratch, control } = request;
         let Buffers { plan, levels, positions, handed, closing } = buffers;
         let moving = region.vertices(mesh.vertex_count());
         quadrisect::plan(plan, mesh.rotation(), history, region, &moving, scratch);

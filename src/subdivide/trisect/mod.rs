@@ -28,29 +28,19 @@ mod closed_form;
 mod masks;
 mod passes;
 
-use super::{Control, Step};
+use super::{Request, Step};
 use crate::error::RefineError;
 use crate::id::{Edge, Triangle, VertexId};
-use crate::mesh::Mesh;
 use crate::rotation::RotationSystem;
 use crate::scheme::Sqrt3;
 use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::trisect::{Face, Plan};
-use crate::step::{History, Region, RegionKind, SplitKind};
+use crate::step::{Region, RegionKind, SplitKind};
 
 /// Refines the triangles inside of a region; `exact` if its method promises exactness.
-#[expect(clippy::too_many_arguments, reason = "those of a step")]
-pub(super) fn step(
-    scheme: &Sqrt3,
-    exact: bool,
-    mesh: &mut Mesh,
-    history: &mut History,
-    selection: &Selection,
-    region: &Region,
-    scratch: &mut Scratch,
-    control: &mut Control<'_>,
-) -> Result<Step, RefineError> {
+pub(super) fn step(scheme: &Sqrt3, exact: bool, request: Request<'_, '_>) -> Result<Step, RefineError> {
+    let Request { mesh, history, selection, region, scratch, control } = request;
     let vertices = region.vertices(mesh.vertex_count());
     let inside = triangles(mesh.rotation(), region, &vertices, scratch);
     let mut plan = scratch.take::<Plan>();
