@@ -66,6 +66,10 @@ fn factors(mesh: &Mesh, v: VertexId, scheme: &AnyScheme, limit: &AnyLimit) -> Ve
     let mut factors = Vec::new();
     for side in 0..limit.side_count(mesh.neighborhood(), v) {
         let Some([first, second]) = limit.tangents(&before, v, side) else { continue };
+        // One that vanishes, as across a straight boundary with one triangle, has no factor.
+        if [first, second].iter().any(|tangent| tangent.length() < 1e-12 * scale) {
+            continue;
+        }
         let [next_first, next_second] = limit.tangents(&after, v, side).unwrap();
         let found = [(first, next_first), (second, next_second)].map(|(p, q)| factor(p, q, scale));
         factors.push(found.map(|factor| factor.unwrap_or_else(|| panic!("{v}, side {side} is no eigenvector"))));
