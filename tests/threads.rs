@@ -220,6 +220,17 @@ fn shared_meshes_are_the_same() {
     assert!(count >= 80, "only {count} meshes");
 }
 
+#[test]
+fn bounds_are_the_same() {
+    let mut list = shapes::grid(SHARED, 1).to_face_list();
+    // Zeros of both signs are equal: which of them is told depends on what is compared with what.
+    for (k, position) in list.positions.iter_mut().enumerate() {
+        position.z = if k % 3 == 0 { -0.0 } else { 0.0 };
+    }
+    same_on_any(|| list.census().bounds.unwrap().map(bits));
+    assert_eq!(list.census().bounds, Some([DVec3::ZERO, DVec3::new(SHARED as f64, 1.0, 0.0)]));
+}
+
 /// Two strips, one above the other, of which the upper has twice as many faces: each edge between them has a vertex on it.
 fn strips() -> FaceList {
     let columns = SHARED as u32;

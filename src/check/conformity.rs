@@ -1,5 +1,7 @@
 //! Whether faces make a conforming mesh: what they share is nothing, one vertex or one whole edge.
 
+use glam::DVec3;
+
 use super::geometry::Boundary;
 use super::{Finding, FindingKind};
 use crate::error::{Defect, DefectKind};
@@ -62,7 +64,8 @@ impl Report {
 #[must_use]
 pub fn conformity(list: &FaceList, tolerance: Option<f64>) -> Report {
     match mesh::rotation_of(list) {
-        Some(rotation) => of_mesh(list, &rotation, tolerance),
+        Some(rotation) if is_closed(&rotation) => of_mesh(&list.positions, &FaceList::default(), &rotation, tolerance),
+        Some(rotation) => of_mesh(&list.positions, list, &rotation, tolerance),
         None => of_any_faces(list, tolerance),
     }
 }
@@ -73,34 +76,32 @@ pub fn conformity(list: &FaceList, tolerance: Option<f64>) -> Report {
 /// O(vertices + triangles), and along the boundary as for [`conformity`].
 #[must_use]
 pub fn mesh_conformity(mesh: &Mesh, tolerance: Option<f64>) -> Report {
-    let list = if is_closed(mesh.rotation()) { FaceList::new(mesh.positions().to_vec()) } else { mesh.to_face_list() };
-    of_mesh(&list, mesh.rotation(), tolerance)
+    let list = if is_closed(mesh.rotation()) { FaceList::default() } else { mesh.to_face_list() };
+    of_mesh(mesh.positions(), &list, mesh.rotation(), tolerance)
 }
 
-/// Whether there is no boundary: then nothing is asked of faces.
+/// Whether there is no boundary: then [`of_mesh`] asks nothing of faces.
 fn is_closed(rotation: &RotationSystem) -> bool {
     rotation.boundary_edge_count() == 0
 }
 
 /// Findings on the triangles of a mesh: there are rings exactly if there is no [`Defect`], so what is left is what
-/// depends on positions, and isolated vertices.
-fn of_mesh(list: &FaceList, rotation: &RotationSystem, tolerance: Option<f64>) -> Report {
-    let mut used = Vec::with_capacity(list.vertex_count());
-    parallel::append(&mut used, 0..list.vertex_count(), |v| rotation.valence(VertexId::new(v)) > 0);
+/// depends on positions, and isolated vertices. The faces of a closed mesh need not be listed.
+fn of_mesh(positions: &[DVec3], faces: &FaceList, rotation: &RotationSystem, tolerance: Option<f64>) -> Report {
+    let mut used = Vec::with_capacity(positions.len());
+    parallel::append(&mut used, 0..positions.len(), |v| rotation.valence(VertexId::new(v)) > 0);
     // Between two boundary vertices an edge has all its faces among those at the boundary.
     let on_boundary = |v: u32| rotation.is_boundary(VertexId::new(v as usize));
-    let no_faces = FaceList::default();
-    let faces = if is_closed(rotation) { &no_faces } else { list };
     let mut at_boundary = Vec::with_capacity(faces.face_count());
     parallel::append(&mut at_boundary, 0..faces.face_count(), |k| faces.face(k).iter().any(|&v| on_boundary(v)));
     let table = EdgeTable::new(faces, &at_boundary);
     let edges = table.edges().filter(|edge| edge.is_boundary() && edge.ends().into_iter().all(on_boundary));
-    let boundary = Boundary::new(list, &table, edges.collect(), &used, tolerance);
+    let boundary = Boundary::new(positions, &table, edges.collect(), &used, tolerance);
 
     let mut findings = boundary.t_junctions().findings;
     findings.extend(boundary.cracks().findings);
-    findings.extend(isolated(list, &used));
-    findings.extend(soup::non_finite(list).into_iter().filter_map(finding));
+    findings.extend(isolated(&used));
+    findings.extend(soup::non_finite(positions).into_iter().filter_map(finding));
     Report { findings, tolerance: boundary.tolerance() }
 }
 
@@ -110,7 +111,7 @@ fn of_any_faces(list: &FaceList, tolerance: Option<f64>) -> Report {
     let table = EdgeTable::new(list, &sieve.kept);
     let used = list.used();
     let edges = table.edges().filter(|edge| edge.is_boundary()).collect();
-    let boundary = Boundary::new(list, &table, edges, &used, tolerance);
+    let boundary = Boundary::new(&list.positions, &table, edges, &used, tolerance);
     let t_junctions = boundary.t_junctions();
     let cracks = boundary.cracks();
 
@@ -120,7 +121,7 @@ fn of_any_faces(list: &FaceList, tolerance: Option<f64>) -> Report {
     }
 
     let mut defects = sieve.defects;
-    defects.extend(soup::non_finite(list));
+    defects.extend(soup::non_finite(&list.positions[..list.vertex_limit()]));
     defects.extend(soup::non_manifold_edges(&table));
     defects.extend(soup::bow_ties(&table, &mut fans));
     defects.extend(soup::orientation(&table));
@@ -129,7 +130,7 @@ fn of_any_faces(list: &FaceList, tolerance: Option<f64>) -> Report {
     let mut findings = t_junctions.findings;
     findings.extend(cracks.findings);
     findings.extend(defects.into_iter().filter_map(finding));
-    findings.extend(isolated(list, &used));
+    findings.extend(isolated(&used[..list.vertex_limit()]));
     findings.sort_by_key(|finding| finding.kind);
     Report { findings, tolerance: boundary.tolerance() }
 }
@@ -151,8 +152,8 @@ fn finding(defect: Defect) -> Option<Finding> {
     Some(Finding { kind, message: defect.message, vertices: defect.vertices, faces: defect.faces })
 }
 
-fn isolated(list: &FaceList, used: &[bool]) -> Vec<Finding> {
-    parallel::gather(0..list.vertex_limit(), |k| {
+fn isolated(used: &[bool]) -> Vec<Finding> {
+    parallel::gather(0..used.len(), |k| {
         let v = VertexId::new(k);
         (!used[k]).then(|| Finding {
             kind: FindingKind::IsolatedVertex,

@@ -10,7 +10,7 @@ use rstar::{AABB, RTree, SelectionFunction};
 use super::{Finding, FindingKind};
 use crate::id::VertexId;
 use crate::parallel;
-use crate::soup::{EdgeTable, FaceList, TableEdge, enumerated};
+use crate::soup::{self, EdgeTable, TableEdge, enumerated};
 
 /// The default tolerance, as a part of the diagonal of the box around the vertices in use.
 const PART_OF_DIAGONAL: f64 = 1e-6;
@@ -57,13 +57,13 @@ pub(super) struct Gaps {
 impl<'a> Boundary<'a> {
     /// The boundary `edges` of a table, in its order.
     pub(super) fn new(
-        list: &'a FaceList,
+        positions: &'a [DVec3],
         table: &'a EdgeTable<'a>,
         edges: Vec<TableEdge<'a>>,
         used: &[bool],
         tolerance: Option<f64>,
     ) -> Self {
-        let bounds = list.bounds(used).unwrap_or_default();
+        let bounds = soup::bounds(positions, used).unwrap_or_default();
         let greatest = bounds.map(|corner| corner.abs().max_element()).into_iter().fold(0.0, f64::max);
         let scale = match greatest {
             _ if greatest > LARGE => 2_f64.powi(-640),
@@ -76,8 +76,8 @@ impl<'a> Boundary<'a> {
             None => PART_OF_DIAGONAL * min.distance(max),
         };
         let points = match scale {
-            1.0 => Cow::Borrowed(list.positions.as_slice()),
-            _ => list.positions.iter().map(|&p| p * scale).collect(),
+            1.0 => Cow::Borrowed(positions),
+            _ => positions.iter().map(|&p| p * scale).collect(),
         };
         Self { table, edges, points, scale, tolerance, reach: greatest * scale }
     }

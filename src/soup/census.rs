@@ -8,6 +8,7 @@ use super::disjoint::DisjointSets;
 use super::sieve::degeneracy;
 use super::table::{EdgeTable, Fans};
 use crate::error::DefectKind;
+use crate::parallel;
 
 /// Counts of a list of faces as they stand: no face is cut, set aside or mended.
 ///
@@ -109,7 +110,7 @@ impl FaceList {
             genus: if is_manifold && orientable { usize::try_from(twice_genus / 2).ok() } else { None },
             orientable,
             valence: Valences::new(valences.iter().zip(&used).filter(|(_, used)| **used).map(|(&valence, _)| valence)),
-            bounds: self.bounds(&used),
+            bounds: bounds(&self.positions, &used),
         }
     }
 
@@ -136,12 +137,6 @@ impl FaceList {
         face.iter().copied().filter(move |&v| (v as usize) < limit)
     }
 
-    /// The least and greatest coordinates of the finite ones among some vertices.
-    pub(crate) fn bounds(&self, of: &[bool]) -> Option<[DVec3; 2]> {
-        let points = self.positions.iter().zip(of).filter(|(p, of)| **of && p.is_finite());
-        points.map(|(&p, _)| [p, p]).reduce(|[min, max], [p, _]| [min.min(p), max.max(p)])
-    }
-
     fn component_count(&self, used: &[bool]) -> usize {
         let mut sets = DisjointSets::new(self.vertex_limit());
         for face in self.faces() {
@@ -152,6 +147,17 @@ impl FaceList {
         }
         (0..self.vertex_limit() as u32).filter(|&v| used[v as usize] && sets.find(v) == v).count()
     }
+}
+
+/// The least and greatest coordinates of the finite ones among some positions.
+pub(crate) fn bounds(positions: &[DVec3], of: &[bool]) -> Option<[DVec3; 2]> {
+    // Of equal numbers, as 0 and -0 are, the last counts; so it does not matter where the list is cut.
+    let join = |[min, max]: [DVec3; 2], [p, q]: [DVec3; 2]| [min.min(p), max.max(q)];
+    let parts = parallel::shares(0..positions.len(), |part| {
+        let points = part.filter(|&k| of[k] && positions[k].is_finite());
+        points.map(|k| [positions[k]; 2]).reduce(join)
+    });
+    parts.into_iter().flatten().reduce(join)
 }
 
 impl Valences {

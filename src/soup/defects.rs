@@ -1,5 +1,7 @@
 //! What is wrong with a list of faces.
 
+use glam::DVec3;
+
 use super::FaceList;
 use super::disjoint::DisjointSets;
 use super::sieve::Sieve;
@@ -35,7 +37,7 @@ impl FaceList {
         let sieve = Sieve::new(self);
         let table = EdgeTable::new(self, &sieve.kept);
         let mut defects = sieve.defects;
-        defects.extend(non_finite(self));
+        defects.extend(non_finite(&self.positions[..self.vertex_limit()]));
         defects.extend(non_manifold_edges(&table));
         defects.extend(bow_ties(&table, &mut Fans::new(&table)));
         defects.extend(orientation(&table));
@@ -51,9 +53,9 @@ impl FaceList {
 }
 
 /// One for each vertex with a coordinate that is no finite number.
-pub(crate) fn non_finite(list: &FaceList) -> Vec<Defect> {
-    parallel::gather(0..list.vertex_limit(), |k| {
-        let (v, p) = (VertexId::new(k), list.positions[k]);
+pub(crate) fn non_finite(positions: &[DVec3]) -> Vec<Defect> {
+    parallel::gather(0..positions.len(), |k| {
+        let (v, p) = (VertexId::new(k), positions[k]);
         (!p.is_finite()).then(|| Defect {
             kind: DefectKind::NonFinite,
             vertices: vec![v],

@@ -13,6 +13,7 @@ mod sieve;
 mod table;
 mod triangulate;
 
+pub(crate) use census::bounds;
 pub use census::{Census, Valences};
 pub(crate) use defects::{bow_ties, enumerated, non_finite, non_manifold_edges, orientation, too_many_vertices};
 pub(crate) use sieve::Sieve;
@@ -22,6 +23,8 @@ pub use triangulate::Triangulation;
 use std::ops::Range;
 
 use glam::DVec3;
+
+use crate::parallel;
 
 /// Positions, and polygons whose corners are indices into them, in counter-clockwise order seen from outside.
 ///
@@ -97,8 +100,8 @@ impl FaceList {
 
     /// The corners of all faces, if they are triangles.
     pub(crate) fn triangles(&self) -> Option<&[u32]> {
-        let three_each = self.ends.iter().copied().eq((3_u32..).step_by(3).take(self.ends.len()));
-        three_each.then_some(&self.corners)
+        let other = parallel::find(0..self.face_count(), |k| self.ends[k] as usize != 3 * (k + 1));
+        other.is_none().then_some(&self.corners)
     }
 
     fn corner_ranges(&self) -> impl Iterator<Item = Range<usize>> {
