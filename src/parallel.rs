@@ -45,7 +45,9 @@ pub(crate) fn gather<T: Send, I: IntoIterator<Item = T>>(
     };
     #[cfg(feature = "parallel")]
     if many(range.len()) {
-        let lists: Vec<Vec<T>> = pieces(range).map(gather).collect();
+        // Each thread gets several, as one list may take longer than another; few, as each grows by itself and is joined.
+        let length = SHARE.max(range.len() / (8 * rayon::current_num_threads()));
+        let lists: Vec<Vec<T>> = pieces(range, length).map(gather).collect();
         let mut all = Vec::with_capacity(lists.iter().map(Vec::len).sum());
         lists.into_iter().for_each(|list| all.extend(list));
         return all;
@@ -63,7 +65,7 @@ pub(crate) fn sums<const N: usize>(
     let sum = |range: Range<usize>| range.map(&count).fold([0; N], add);
     #[cfg(feature = "parallel")]
     if many(range.len()) {
-        return pieces(range).map(sum).reduce(|| [0; N], add);
+        return pieces(range, SHARE).map(sum).reduce(|| [0; N], add);
     }
     sum(range)
 }
@@ -76,8 +78,7 @@ pub(crate) fn shares<T: Send>(range: Range<usize>, make: impl Fn(Range<usize>) -
     #[cfg(feature = "parallel")]
     if many(range.len()) {
         let length = range.len().div_ceil(rayon::current_num_threads()).max(SHARE);
-        let starts = range.clone().into_par_iter().step_by(length);
-        return starts.map(|start| make(start..range.end.min(start + length))).collect();
+        return pieces(range, length).map(make).collect();
     }
     vec![make(range)]
 }
@@ -88,7 +89,7 @@ pub(crate) fn find(range: Range<usize>, test: impl Fn(usize) -> bool + Sync + Se
     let first = |mut range: Range<usize>| range.find(|&k| test(k));
     #[cfg(feature = "parallel")]
     if many(range.len()) {
-        return pieces(range).find_map_first(first);
+        return pieces(range, SHARE).find_map_first(first);
     }
     first(range)
 }
@@ -142,11 +143,12 @@ fn share_parts<T: Send + Sync>(
 #[cfg(feature = "parallel")]
 const SHARE: usize = 1 << 12;
 
-/// A range in pieces to be shared. The loop over a piece is the one that a single thread runs over all.
+/// A range in pieces of some length to be shared, the last of which may be shorter. The loop over a piece is the one that a
+/// single thread runs over all.
 #[cfg(feature = "parallel")]
-fn pieces(range: Range<usize>) -> impl IndexedParallelIterator<Item = Range<usize>> {
+fn pieces(range: Range<usize>, length: usize) -> impl IndexedParallelIterator<Item = Range<usize>> {
     let Range { start, end } = range;
-    (start..end).into_par_iter().step_by(SHARE).map(move |start| start..end.min(start + SHARE))
+    (start..end).into_par_iter().step_by(length).map(move |start| start..end.min(start + length))
 }
 
 #[cfg(feature = "parallel")]
@@ -190,6 +192,15 @@ mod tests {
         };
         let meeting = Meeting::default();
         assert_eq!(on(2, &|| meeting.attend()), on(1, &|| {}));
+    }
+
+    #[test]
+    fn pieces_follow_each_other_without_a_gap() {
+        for range in [0, 1, 6, 7, 8, 13, 14, 15].map(|count| 3..3 + count) {
+            let pieces: Vec<Range<usize>> = pieces(range.clone(), 7).collect();
+            assert!(pieces.iter().all(|piece| (1..=7).contains(&piece.len())), "{pieces:?}");
+            assert!(pieces.into_iter().flatten().eq(range));
+        }
     }
 
     #[test]
