@@ -2,9 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests stop at what they do not expect")]
 
+mod common;
+
 use std::collections::{BTreeMap, BTreeSet};
 
-use quickcheck::{QuickCheck, TestResult};
+use common::random::check;
+use quickcheck::TestResult;
 use vvmesh::error::{Defect, DefectKind};
 use vvmesh::glam::DVec3;
 use vvmesh::soup::FaceList;
@@ -182,7 +185,7 @@ fn a_mesh_is_built_exactly_if_there_is_no_defect() {
         let list = FaceList::from_triangles(points(vertices as usize), &triangles);
         Mesh::from_triangles(points(vertices as usize), &triangles).is_ok() == list.defects().is_empty()
     }
-    QuickCheck::new().tests(20_000).quickcheck(property as fn(Vec<u8>, u32, usize) -> bool);
+    check(221, 20_000, property as fn(Vec<u8>, u32, usize) -> bool);
 }
 
 #[test]
@@ -200,7 +203,7 @@ fn part_of_a_shape_with_faces_turned_is_built_exactly_if_there_is_no_defect() {
         let list = FaceList::from_triangles(points(12), &kept);
         Mesh::from_triangles(points(12), &kept).is_ok() == list.defects().is_empty()
     }
-    QuickCheck::new().tests(5_000).quickcheck(property as fn(u32, Vec<u8>, Option<u8>) -> bool);
+    check(222, 5_000, property as fn(u32, Vec<u8>, Option<u8>) -> bool);
 }
 
 #[test]
@@ -216,7 +219,7 @@ fn defects_are_those_of_a_naive_search() {
         }
         TestResult::passed()
     }
-    QuickCheck::new().tests(20_000).quickcheck(property as fn(Vec<u8>, u32, usize) -> TestResult);
+    check(223, 20_000, property as fn(Vec<u8>, u32, usize) -> TestResult);
 }
 
 /// All defects but the one-sided components, by trying everything; orientation by trying all ways to turn faces.
@@ -305,7 +308,7 @@ fn a_one_sided_component_is_told_exactly_if_its_edges_are_not() {
         };
         told != (0..1_usize << triangles.len()).any(orientable)
     }
-    QuickCheck::new().tests(100).quickcheck(property as fn(Vec<u8>, usize) -> bool);
+    check(224, 100, property as fn(Vec<u8>, usize) -> bool);
 }
 
 #[test]

@@ -8,7 +8,7 @@ mod plain;
 
 use std::collections::BTreeMap;
 
-use quickcheck::QuickCheck;
+use common::random::check;
 use vvmesh::check::{Finding, FindingKind, Report, Sharing, balance, conformity, mesh_conformity};
 use vvmesh::glam::DVec3;
 use vvmesh::soup::FaceList;
@@ -467,7 +467,7 @@ fn t_junctions_are_those_of_a_naive_search() {
         };
         t_junctions.map(named).eq(expected)
     }
-    QuickCheck::new().tests(3_000).quickcheck(property as fn(Vec<(u8, u8, u8)>, Vec<u8>) -> bool);
+    check(225, 3_000, property as fn(Vec<(u8, u8, u8)>, Vec<u8>) -> bool);
 }
 
 #[test]
@@ -487,5 +487,5 @@ fn any_input_gets_an_answer() {
         named && sorted && census.vertices == numbers.len() && report == conformity(&list, tolerance)
     }
     type Property = fn(Vec<(f64, f64, f64)>, Vec<u8>, Vec<u8>, Option<f64>) -> bool;
-    QuickCheck::new().tests(3_000).quickcheck(property as Property);
+    check(226, 3_000, property as Property);
 }

@@ -8,8 +8,8 @@ mod scheme_support;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+use common::random::check;
 use common::run::Run;
-use quickcheck::quickcheck;
 use scheme_support::{apply, even, odd, scripted, star};
 use vvmesh::adaptive::Incremental;
 use vvmesh::glam::DVec3;
@@ -155,11 +155,13 @@ fn bent_star(n: usize, closed: bool, sharp: &[usize]) -> Mesh {
     mesh
 }
 
-quickcheck! {
-    fn limit_positions_are_limits(script: Vec<(u8, u16)>) -> bool {
+#[test]
+fn limit_positions_are_limits() {
+    fn property(script: Vec<(u8, u16)>) -> bool {
         let mesh = scripted(&script);
         WEIGHTS.into_iter().all(|weights| mesh.vertices().all(|v| limits_agree(&mesh, v, weights)))
     }
+    check(201, 100, property as fn(Vec<(u8, u16)>) -> bool);
 }
 
 #[test]

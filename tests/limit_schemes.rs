@@ -7,8 +7,8 @@ mod scheme_support;
 
 use std::f64::consts::PI;
 
+use common::random::check;
 use common::run::Run;
-use quickcheck::quickcheck;
 use scheme_support::{scripted, star};
 use vvmesh::adaptive::Incremental;
 use vvmesh::glam::DVec3;
@@ -130,8 +130,9 @@ fn modified_butterfly_has_tangents_of_one_half() {
     assert_eq!(limit.normals(&corner).of(id(0)).iter().filter(|normal| normal.is_none()).count(), 1);
 }
 
-quickcheck! {
-    fn tangents_of_any_mesh_are_eigenvectors(script: Vec<(u8, u16)>) -> bool {
+#[test]
+fn tangents_of_any_mesh_are_eigenvectors() {
+    fn property(script: Vec<(u8, u16)>) -> bool {
         let mesh = scripted(&script);
         for (scheme, limit) in schemes() {
             for v in mesh.vertices() {
@@ -141,6 +142,7 @@ quickcheck! {
         }
         true
     }
+    check(202, 100, property as fn(Vec<(u8, u16)>) -> bool);
 }
 
 /// The mean normal of the triangles of a sector, counted in the ring.

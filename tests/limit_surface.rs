@@ -9,8 +9,8 @@ mod scheme_support;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+use common::random::check;
 use common::run::Run;
-use quickcheck::quickcheck;
 use scheme_support::{scripted, star};
 use vvmesh::adaptive::{Incremental, Uniform};
 use vvmesh::glam::{DMat3, DVec3};
@@ -145,12 +145,14 @@ fn wheels() -> Vec<Mesh> {
     meshes
 }
 
-quickcheck! {
-    fn refined_points_of_any_mesh_are_on_the_surface(script: Vec<(u8, u16)>) -> bool {
+#[test]
+fn refined_points_of_any_mesh_are_on_the_surface() {
+    fn property(script: Vec<(u8, u16)>) -> bool {
         let mesh = scripted(&script);
         WEIGHTS.into_iter().for_each(|weights| uniform_points_are_on_the_surface(&mesh, weights, 2));
         true
     }
+    check(203, 100, property as fn(Vec<(u8, u16)>) -> bool);
 }
 
 #[test]

@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of a test may fail it")]
 
+mod common;
 mod scheme_support;
 
-use quickcheck::quickcheck;
+use common::random::check;
 use scheme_support::{apply, even, odd, scripted, star};
 use vvmesh::glam::{DMat3, DVec3};
 use vvmesh::mesh::{Sharpness, VertexClass};
@@ -110,27 +111,44 @@ fn odd_masks_do_not_see_beyond_the_ends(scheme: &impl Scheme, mesh: &Mesh) -> bo
     })
 }
 
-quickcheck! {
-    fn weights_add_to_one(script: Vec<(u8, u16)>) -> bool {
+#[test]
+fn weights_add_to_one() {
+    fn property(script: Vec<(u8, u16)>) -> bool {
         with_every_scheme!(masks_are_affine_and_local(&tagged(&script)))
     }
+    check(204, 100, property as fn(Vec<(u8, u16)>) -> bool);
+}
 
-    fn direction_does_not_matter(script: Vec<(u8, u16)>) -> bool {
+#[test]
+fn direction_does_not_matter() {
+    fn property(script: Vec<(u8, u16)>) -> bool {
         with_every_scheme!(masks_are_the_same_from_both_ends(&tagged(&script)))
     }
+    check(205, 100, property as fn(Vec<(u8, u16)>) -> bool);
+}
 
-    fn affine_maps_commute(script: Vec<(u8, u16)>, map: [i8; 3]) -> bool {
+#[test]
+fn affine_maps_commute() {
+    fn property(script: Vec<(u8, u16)>, map: [i8; 3]) -> bool {
         let [a, b, c] = map.map(|x| f64::from(x) / 32.0);
         let map = DMat3::from_cols_array(&[a, 1.0, b, -c, 0.5, 2.0, b, c, -1.0]);
         with_every_scheme!(masks_commute_with_affine_maps(&tagged(&script), map, DVec3::new(c, a, b)))
     }
+    check(206, 100, property as fn(Vec<(u8, u16)>, [i8; 3]) -> bool);
+}
 
-    fn odd_masks_are_functions_of_both_stars(script: Vec<(u8, u16)>) -> bool {
+#[test]
+fn odd_masks_are_functions_of_both_stars() {
+    fn property(script: Vec<(u8, u16)>) -> bool {
         with_every_scheme!(odd_masks_do_not_see_beyond_the_ends(&tagged(&script)))
     }
+    check(207, 100, property as fn(Vec<(u8, u16)>) -> bool);
+}
 
-    /// ALGORITHMS 2.3: v' - c' = lambda (v - c) and c' = 3/8 v + 5/8 c.
-    fn one_loop_step_shrinks_the_distance_to_the_mean(script: Vec<(u8, u16)>) -> bool {
+/// ALGORITHMS 2.3: v' - c' = lambda (v - c) and c' = 3/8 v + 5/8 c.
+#[test]
+fn one_loop_step_shrinks_the_distance_to_the_mean() {
+    fn property(script: Vec<(u8, u16)>) -> bool {
         let mesh = tagged(&script);
         let at = |v| mesh.position(v);
         [LoopWeights::Loop, LoopWeights::Warren].into_iter().all(|weights| {
@@ -146,6 +164,7 @@ quickcheck! {
             })
         })
     }
+    check(208, 100, property as fn(Vec<(u8, u16)>) -> bool);
 }
 
 #[test]

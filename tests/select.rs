@@ -1,9 +1,12 @@
 //! Criteria, and expressions read from text.
 
+mod common;
+
 use std::io;
 use std::path::{Path, PathBuf};
 
-use quickcheck::{Arbitrary, Gen, quickcheck};
+use common::random::check;
+use quickcheck::{Arbitrary, Gen};
 use vvmesh::error::{Error, ExpressionError, ExpressionErrorKind, SelectError};
 use vvmesh::glam::DVec3;
 use vvmesh::scratch::Scratch;
@@ -361,26 +364,36 @@ impl Arbitrary for Written {
     }
 }
 
-quickcheck! {
-    /// What an expression prints reads back as the same, to the last bit of its numbers.
-    fn printing_and_reading_return_the_same(written: Written) -> bool {
-        let expression = parse_with(&written.0, "8 5 # five\n 8").unwrap_or_else(|error| panic!("{}: {error}", written.0));
+/// What an expression prints reads back as the same, to the last bit of its numbers.
+#[test]
+fn printing_and_reading_return_the_same() {
+    fn property(written: Written) -> bool {
+        let expression =
+            parse_with(&written.0, "8 5 # five\n 8").unwrap_or_else(|error| panic!("{}: {error}", written.0));
         let printed = expression.to_string();
         let again = parse(&printed);
         printed == again.to_string()
             && format!("{expression:?}") == format!("{again:?}")
             && !printed.contains(char::is_whitespace)
     }
+    check(209, 100, property as fn(Written) -> bool);
+}
 
-    /// Text of all kinds is read or refused, with a column in it or right behind it.
-    fn garbage_is_refused_without_a_panic(text: String) -> bool {
+/// Text of all kinds is read or refused, with a column in it or right behind it.
+#[test]
+fn garbage_is_refused_without_a_panic() {
+    fn property(text: String) -> bool {
         parse_with(&text, &text).err().is_none_or(|error| {
             error.column >= 1 && error.column <= text.chars().count() + 1 && !error.to_string().is_empty()
         })
     }
+    check(210, 100, property as fn(String) -> bool);
+}
 
-    /// The same for text that is made of the right pieces in the wrong order.
-    fn shuffled_pieces_are_refused_without_a_panic(pieces: Vec<u8>) -> bool {
+/// The same for text that is made of the right pieces in the wrong order.
+#[test]
+fn shuffled_pieces_are_refused_without_a_panic() {
+    fn property(pieces: Vec<u8>) -> bool {
         const PIECES: [&str; 20] = [
             "all", "vertices", "disk", "sphere", "dihedral", ":", ",", "|", "&", "!", "(", ")", "@", "\"", " ", "1",
             "-2.5", "ids", "é", "1e9",
@@ -395,4 +408,5 @@ quickcheck! {
             Err(error) => error.column <= text.chars().count() + 1,
         }
     }
+    check(211, 100, property as fn(Vec<u8>) -> bool);
 }

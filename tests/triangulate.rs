@@ -7,7 +7,7 @@ mod tables;
 use std::collections::{HashMap, HashSet};
 use std::time::{Duration, Instant};
 
-use quickcheck::{Gen, QuickCheck};
+use common::random::check_up_to;
 use vvmesh::Mesh;
 use vvmesh::glam::DVec3;
 use vvmesh::io;
@@ -256,7 +256,7 @@ fn random_polygons_are_sound() {
             assert_sound(&polygon, &polygon.triangulate());
         }
     }
-    QuickCheck::new().tests(300).rng(Gen::new(60)).quickcheck(property as fn(_, _));
+    check_up_to(60, 232, 300, property as fn(_, _));
 }
 
 #[test]
@@ -278,7 +278,7 @@ fn star_shaped_polygons_are_covered_once() {
         assert_sound(&list, &cut);
         assert!(areas(&list, &cut).1 > -1e-9, "{points:?}");
     }
-    QuickCheck::new().tests(500).rng(Gen::new(80)).quickcheck(property as fn(_));
+    check_up_to(80, 233, 500, property as fn(_));
 }
 
 #[test]

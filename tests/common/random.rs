@@ -13,12 +13,21 @@ use vvmesh::select::Selection;
 use vvmesh::{Edge, Mesh, VertexId, shapes};
 
 /// Tries a property on `tests` random cases from a fixed seed. `VV_SEED` takes another one, `VV_TESTS` more cases.
-#[allow(clippy::print_stderr, reason = "shown only when the test fails")]
 pub fn check(seed: u64, tests: u64, property: impl Testable) {
+    check_up_to(40, seed, tests, property);
+}
+
+/// The same with lists of any length below `size`.
+#[allow(clippy::print_stderr, reason = "shown only when the test fails")]
+pub fn check_up_to(size: usize, seed: u64, tests: u64, property: impl Testable) {
     let number = |name| std::env::var(name).ok().and_then(|text: String| text.parse().ok());
     let (seed, tests) = (number("VV_SEED").unwrap_or(seed), number("VV_TESTS").unwrap_or(tests));
     eprintln!("seed {seed}, {tests} cases");
-    QuickCheck::new().rng(Gen::from_size_and_seed(40, seed)).tests(tests).min_tests_passed(tests).quickcheck(property);
+    QuickCheck::new()
+        .rng(Gen::from_size_and_seed(size, seed))
+        .tests(tests)
+        .min_tests_passed(tests)
+        .quickcheck(property);
 }
 
 /// Valences that edits may leave.
