@@ -11,16 +11,16 @@ use common::run::schemes;
 use vvmesh::adaptive::{AdaptiveMethod, Incremental, Simple, Uniform};
 use vvmesh::attributes::{Attributes, Blend, Channel, CornerChannel, NormalRule, ObjAttributes, ObjRules, Seams};
 use vvmesh::error::RefineError;
-use vvmesh::glam::{DVec2, DVec3};
+use vvmesh::glam::{DVec2, DVec3, DVec4};
 use vvmesh::io::{self, FaceAttributes};
 use vvmesh::limit::{Limit, LoopLimit};
 use vvmesh::query::measure::{corner_positions, triangle_area};
-use vvmesh::scheme::{AnyScheme, Butterfly, Loop, Mask, Midpoint, Sqrt3};
+use vvmesh::scheme::{AnyScheme, Butterfly, FourEight, Loop, Mask, Midpoint, Sqrt3};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
 use vvmesh::soup::FaceList;
 use vvmesh::split::Diagonal;
-use vvmesh::step::{History, Keep, Region};
+use vvmesh::step::{History, Keep, Lineage, Region};
 use vvmesh::subdivide::{Control, Follower, StepMasks, Subdivider};
 use vvmesh::{Edge, Mesh, VertexId, shapes};
 
@@ -128,34 +128,69 @@ fn positions_ride_along_on_closed_and_open_meshes() {
     check(502, 6, positions_ride_along::<WithBoundary> as fn(_, _));
 }
 
-#[test]
-fn values_of_vertices_ride_along_under_sqrt3() {
-    let subdividers =
-        [Subdivider::new(Sqrt3::default(), Uniform), Subdivider::new(Sqrt3::default(), Incremental::new(2).unwrap())];
-    for subdivider in subdividers {
-        let mut ride = Ride::new(&shapes::grid(4, 3));
-        let Ride { mesh, attributes, .. } = &mut ride;
-        for (name, blend) in [("scheme", Blend::Scheme), ("linear", Blend::Linear), ("nearest", Blend::Nearest)] {
-            let positions = mesh.positions().iter().map(|p| p.to_array()).collect();
-            attributes.add_vertex_channel(mesh, Channel::new(name, blend, positions).unwrap()).unwrap();
+/// Twice the positions, which doubles without rounding, by each blend.
+fn values_of_vertices_ride_along<S: Surface>(surface: S, picks: Picks) {
+    let input = surface.mesh();
+    let others: [(&str, AnyScheme); 2] = [("sqrt3", Sqrt3::default().into()), ("4-8", FourEight::default().into())];
+    for (name, scheme) in schemes().into_iter().chain(others) {
+        let incremental = |rings| Subdivider::new(scheme.clone(), Incremental::new(rings).unwrap());
+        let [uniform, simple] = [Subdivider::new(scheme.clone(), Uniform), Subdivider::new(scheme.clone(), Simple)];
+        for subdivider in [uniform, incremental(1), incremental(2), simple] {
+            let mut ride = Ride::new(&input);
+            let Ride { mesh, attributes, .. } = &mut ride;
+            for (name, blend) in [("scheme", Blend::Scheme), ("linear", Blend::Linear), ("nearest", Blend::Nearest)] {
+                let doubled = mesh.positions().iter().map(|p| [2.0 * p.x, 2.0 * p.y, 2.0 * p.z, p.x]).collect();
+                attributes.add_vertex_channel(mesh, Channel::new(name, blend, doubled).unwrap()).unwrap();
+            }
+            let mut selection = picks.patch(mesh);
+            for _ in 0..3 {
+                selection = ride.step(&subdivider, &selection);
+            }
+            let value = |name: &str, v: VertexId| ride.attributes.vertex_channel(name).unwrap().value(v.index());
+            for v in ride.mesh.vertices() {
+                let p = ride.mesh.position(v);
+                assert_eq!(value("scheme", v), [2.0 * p.x, 2.0 * p.y, 2.0 * p.z, p.x], "{name}");
+                let Some(lineage) = ride.history.parents(v) else { continue };
+                let parents: Vec<VertexId> = lineage.vertices().collect();
+                assert_eq!(value("nearest", v), value("nearest", parents[0]));
+                let weights = match lineage {
+                    Lineage::Edge(_) => &[0.5; 2][..],
+                    Lineage::Face(_) => &[1.0 / 3.0; 3][..],
+                    Lineage::Third { .. } => &[2.0 / 3.0, 1.0 / 3.0][..],
+                };
+                let linear = |v| DVec4::from_slice(value("linear", v));
+                let mean: DVec4 = parents.iter().zip(weights).map(|(&p, &weight)| weight * linear(p)).sum();
+                assert!(linear(v).distance(mean) <= 1e-14 * mean.length().max(1.0), "{name}");
+            }
         }
-        let mut selection: Selection = (0..12).map(VertexId::new).collect();
-        for _ in 0..4 {
-            selection = ride.step(&subdivider, &selection);
-        }
-        let value =
-            |name: &str, v: VertexId| DVec3::from_slice(ride.attributes.vertex_channel(name).unwrap().value(v.index()));
-        for v in ride.mesh.vertices() {
-            assert_eq!(value("scheme", v), ride.mesh.position(v));
-            let Some(lineage) = ride.history.parents(v) else { continue };
-            let parents: Vec<VertexId> = lineage.vertices().collect();
-            assert_eq!(value("nearest", v), value("nearest", parents[0]));
-            let weights = if parents.len() == 2 { &[2.0 / 3.0, 1.0 / 3.0][..] } else { &[1.0 / 3.0; 3][..] };
-            let mean: DVec3 = parents.iter().zip(weights).map(|(&p, &weight)| weight * value("linear", p)).sum();
-            assert!(value("linear", v).distance(mean) < 1e-14);
-        }
-        assert!(ride.mesh.vertices().any(|v| ride.history.parents(v).is_some_and(|made| made.vertices().count() == 2)));
     }
+}
+
+#[test]
+fn values_of_vertices_ride_along_with_every_scheme_and_method() {
+    check(511, 3, values_of_vertices_ride_along::<Closed> as fn(_, _));
+    check(512, 3, values_of_vertices_ride_along::<WithBoundary> as fn(_, _));
+}
+
+/// A channel that is added when others kept values of steps before has none of them.
+#[test]
+fn a_channel_joins_before_anything_is_kept() {
+    let mut ride = Ride::new(&shapes::grid(4, 3));
+    let subdivider = Subdivider::new(Sqrt3::default(), Simple);
+    let add = |Ride { mesh, attributes, .. }: &mut Ride, name: &str, blend| {
+        let heights = mesh.positions().iter().map(|p| [p.z]).collect();
+        attributes.add_vertex_channel(mesh, Channel::new(name, blend, heights).unwrap()).unwrap();
+    };
+    add(&mut ride, "early", Blend::Scheme);
+    let selection = ride.step(&subdivider, &(0..12).map(VertexId::new).collect());
+    add(&mut ride, "linear", Blend::Linear);
+    let selection = ride.step(&subdivider, &selection);
+    add(&mut ride, "late", Blend::Scheme);
+    let Ride { mesh, history, attributes } = &mut ride;
+    let (before, control) = (mesh.vertex_count(), &mut Control::default());
+    let result = attributes.step(&subdivider, mesh, history, &selection, &mut Scratch::new(), control);
+    assert_eq!((result, mesh.vertex_count()), (Err(RefineError::JoinedLate), before));
+    assert_eq!(attributes.vertex_channel("early").unwrap().len(), before);
 }
 
 #[test]
@@ -192,6 +227,10 @@ fn who_follows_already_follows_on() {
     impl Follower for Count {
         fn follow(&mut self, step: &StepMasks<'_>) {
             self.0 += step.vertex_count_after() - step.vertex_count_before();
+        }
+
+        fn has_kept(&self) -> bool {
+            true
         }
     }
     let mut ride = Ride::new(&shapes::octahedron());

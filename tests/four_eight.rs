@@ -20,7 +20,7 @@ use vvmesh::scheme::{FourEight, Loop};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
 use vvmesh::step::{Blocks, Lineage};
-use vvmesh::subdivide::{Control, Follower, Progress, StepMasks, Subdivider};
+use vvmesh::subdivide::{Control, Progress, Subdivider, Values};
 use vvmesh::{Mesh, VertexId, shapes};
 
 /// How many steps are made.
@@ -483,36 +483,24 @@ fn step(
     subdivider.step(mesh, history, selection, &mut Scratch::new(), control).map(|_| ())
 }
 
-/// Values that are taken along.
-struct Channel(Vec<DVec3>);
-
-impl Follower for Channel {
-    fn follow(&mut self, step: &StepMasks<'_>) {
-        let mut new = self.0.clone();
-        new.resize(step.vertex_count_after(), DVec3::NAN);
-        step.for_each(|shown| new[shown.vertex.index()] = shown.mask.apply(|v| self.0[v.index()]));
-        self.0 = new;
-    }
-}
-
 #[test]
-fn values_go_along_where_the_mesh_alone_is_read() {
+fn what_goes_along_has_to_be_there_when_generations_meet() {
     for mesh in [shapes::grid(6, 6), shapes::icosahedron()] {
         let mut run = Run::new(&mesh);
-        let mut channel = Channel(mesh.positions().to_vec());
         let all = Selection::empty();
+        run.step(&uniform(), &all);
+        // All triangles have one generation, so one may still join.
+        let mut early = Values::new(run.mesh.positions().to_vec());
         for _ in 0..3 {
-            step(&mut run, &uniform(), &all, &mut Control { follower: Some(&mut channel), ..Control::default() })
-                .unwrap();
-            assert!(
-                channel.0.iter().zip(run.mesh.positions()).all(|(value, position)| value.distance(*position) < 1e-14)
-            );
+            let control = &mut Control { follower: Some(&mut early), ..Control::default() };
+            let part = disk(&run.mesh, VertexId::new(3), 1);
+            step(&mut run, &simple(), &part, control).unwrap();
         }
-        let part = disk(&run.mesh, VertexId::new(3), 1);
-        run.step(&simple(), &part);
-        let before = run.bits();
-        let result =
-            step(&mut run, &uniform(), &all, &mut Control { follower: Some(&mut channel), ..Control::default() });
-        assert_eq!((result, run.bits() == before), (Err(RefineError::NoMasks), true));
+        let (before, mut late) = (run.bits(), Values::new(run.mesh.positions().to_vec()));
+        let result = step(&mut run, &uniform(), &all, &mut Control { follower: Some(&mut late), ..Control::default() });
+        assert_eq!((result, run.bits() == before), (Err(RefineError::JoinedLate), true));
+        assert_eq!(late.shown().len(), run.mesh.vertex_count());
+        step(&mut run, &uniform(), &all, &mut Control { follower: Some(&mut early), ..Control::default() }).unwrap();
+        assert_eq!(early.shown(), run.mesh.positions());
     }
 }

@@ -18,7 +18,7 @@ use vvmesh::scheme::{Loop, Mask, Sqrt3};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
 use vvmesh::step::{History, Keep, Lineage, Region, SplitKind};
-use vvmesh::subdivide::{Control, Follower, Progress, Step, StepMasks, Subdivider};
+use vvmesh::subdivide::{Control, Progress, Step, Subdivider, Values};
 use vvmesh::{Edge, Mesh, Triangle, VertexId, shapes};
 
 /// How many steps are compared.
@@ -507,37 +507,26 @@ fn what_is_kept_changes_nothing() {
     }
 }
 
-/// The positions of old vertices, from step to step by masks alone.
-struct Channel(Vec<DVec3>);
-
-impl Follower for Channel {
-    fn follow(&mut self, step: &StepMasks<'_>) {
-        assert_eq!(step.vertex_count_before(), self.0.len());
-        let mut new = self.0.clone();
-        new.resize(step.vertex_count_after(), DVec3::NAN);
-        step.for_each(|shown| new[shown.vertex.index()] = shown.mask.apply(|v| self.0[v.index()]));
-        self.0 = new;
-    }
-}
-
 #[test]
-fn masks_are_shown_to_who_follows() {
+fn what_goes_along_is_there_from_the_first_step_on() {
     let mesh = shapes::grid(4, 3);
     for subdivider in [uniform(), incremental(1), simple()] {
         let mut random = Random::new(3011);
         let mut run = Run::new(&mesh);
-        let mut channel = Channel(mesh.positions().to_vec());
-        for _ in 0..5 {
+        let mut early = Values::new(mesh.positions().to_vec());
+        for level in 0..5 {
             let selection = random_selection(&run.mesh, &mut random);
-            let Run { mesh, history } = &mut run;
-            let control = &mut Control { follower: Some(&mut channel), ..Control::default() };
-            let result = subdivider.step(mesh, history, &selection, &mut Scratch::new(), control);
-            if format!("{subdivider:?}").contains("Simple") {
-                assert_eq!(result, Err(RefineError::NoMasks));
-            } else {
-                result.unwrap();
+            let step = |run: &mut Run, follower: &mut Values<DVec3>| {
+                let control = &mut Control { follower: Some(follower), ..Control::default() };
+                subdivider.step(&mut run.mesh, &mut run.history, &selection, &mut Scratch::new(), control).map(|_| ())
+            };
+            if level > 0 && format!("{subdivider:?}").contains("Simple") {
+                let (before, mut late) = (run.bits(), Values::new(run.mesh.positions().to_vec()));
+                assert_eq!(step(&mut run, &mut late), Err(RefineError::JoinedLate));
+                assert_eq!(run.bits(), before);
             }
-            assert!(channel.0.iter().zip(run.mesh.positions()).all(|(one, other)| one == other));
+            step(&mut run, &mut early).unwrap();
+            assert_eq!(early.shown(), run.mesh.positions());
         }
     }
 }

@@ -6,6 +6,7 @@ use crate::error::ConfigError;
 use crate::id::VertexId;
 use crate::scheme::Mask;
 use crate::step::SplitKind;
+use crate::subdivide::{Follower, StepMasks, ValueId, Values};
 
 /// How the values of new vertices are made, and whether those of old vertices change.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -29,8 +30,8 @@ pub struct Channel {
     name: String,
     blend: Blend,
     components: usize,
-    /// All numbers of the first value, then of the next.
-    numbers: Vec<f64>,
+    /// With 0 for the numbers that a value has not.
+    values: Values<DVec4>,
 }
 
 impl Channel {
@@ -54,7 +55,13 @@ impl Channel {
         if !(1..=4).contains(&N) {
             return Err(ConfigError { name: "components", value: N.to_string(), expected: "1 to 4".into() });
         }
-        Ok(Self { name: name.into(), blend, components: N, numbers: values.into_flattened() })
+        let four = |value: [f64; N]| {
+            let mut numbers = [0.0; 4];
+            numbers[..N].copy_from_slice(&value);
+            DVec4::from(numbers)
+        };
+        let values = Values::new(values.into_iter().map(four).collect());
+        Ok(Self { name: name.into(), blend, components: N, values })
     }
 
     /// Its name.
@@ -78,13 +85,13 @@ impl Channel {
     /// How many values there are.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.numbers.len() / self.components
+        self.values.shown().len()
     }
 
     /// Whether there is no value.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.numbers.is_empty()
+        self.values.shown().is_empty()
     }
 
     /// The numbers of one value.
@@ -93,30 +100,33 @@ impl Channel {
     /// If there are not so many values.
     #[must_use]
     pub fn value(&self, index: usize) -> &[f64] {
-        &self.numbers[index * self.components..][..self.components]
+        &self.values.shown()[index].as_ref()[..self.components]
     }
 
     /// All values in order.
     pub fn values(&self) -> impl ExactSizeIterator<Item = &[f64]> + Clone {
-        self.numbers.chunks_exact(self.components)
+        self.values.shown().iter().map(|value| &value.as_ref()[..self.components])
     }
 
     /// The same channel with the values at these places, which may repeat.
     pub(super) fn gathered(&self, places: &[u32]) -> Self {
-        let numbers = places.iter().flat_map(|&place| self.value(place as usize)).copied().collect();
-        Self { numbers, name: self.name.clone(), ..*self }
+        let values = Values::new(places.iter().map(|&place| self.values.shown()[place as usize]).collect());
+        Self { values, name: self.name.clone(), ..*self }
     }
 
     /// A value, with 0 for the numbers it has not.
     #[inline]
-    pub(super) fn at(&self, v: VertexId) -> DVec4 {
-        let mut value = [0.0; 4];
-        value[..self.components].copy_from_slice(self.value(v.index()));
-        value.into()
+    pub(super) fn at(&self, id: impl Into<ValueId>) -> DVec4 {
+        *self.values.get(id.into())
     }
 
     /// The value of a new vertex with this mask, made of these old ones, the older first.
-    pub(super) fn odd(&self, mask: &Mask, parents: &[VertexId], kind: SplitKind) -> DVec4 {
+    pub(super) fn odd<V: Copy + PartialEq + Into<ValueId>>(
+        &self,
+        mask: &Mask<V>,
+        parents: &[VertexId],
+        kind: SplitKind,
+    ) -> DVec4 {
         match (self.blend, parents) {
             (Blend::Scheme, _) => mask.apply(|v| self.at(v)),
             (Blend::Nearest, _) => self.at(parents[0]),
@@ -146,11 +156,25 @@ impl Channel {
     }
 
     pub(super) fn set(&mut self, v: VertexId, value: DVec4) {
-        let start = v.index() * self.components;
-        self.numbers[start..start + self.components].copy_from_slice(&value.to_array()[..self.components]);
+        self.put(v.into(), Some(value));
+    }
+
+    /// Puts a value in its place; `None` takes a kept one away.
+    pub(super) fn put(&mut self, id: ValueId, value: Option<DVec4>) {
+        self.values.put(id, value);
     }
 
     pub(super) fn push(&mut self, value: DVec4) {
-        self.numbers.extend_from_slice(&value.to_array()[..self.components]);
+        self.values.push(value);
+    }
+
+    /// Makes room for the new vertices of a step.
+    pub(super) fn grow(&mut self, step: &StepMasks<'_>) {
+        self.values.grow(step, DVec4::NAN);
+    }
+
+    /// Whether it needs no kept values or has some.
+    pub(super) fn has_kept(&self) -> bool {
+        self.blend != Blend::Scheme || self.values.has_kept()
     }
 }

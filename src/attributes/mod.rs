@@ -14,7 +14,7 @@
 //!
 //! A face of the refined mesh lies in one face of the input, whose label it keeps. Under √3 it does not: an edge that is
 //! turned crosses the old one, also where that is a seam. So corner channels and labels ride along with the split in four
-//! only, and a step of another kind refuses them; vertex channels ride along with every step that shows its masks.
+//! only, and a step of another kind refuses them; vertex channels ride along with every scheme and method.
 //!
 //! Read in this order: [`Channel`], [`Blend`], [`Attributes`], [`ObjAttributes`] (the same for what an OBJ file says).
 //!
@@ -34,15 +34,17 @@ pub use obj::{LeftOut, ObjAttributes, ObjRules};
 use chart::Chart;
 use glam::DVec4;
 use labels::{Ancestry, FaceLabels};
+use smallvec::SmallVec;
 
 use crate::error::{ConfigError, RefineError};
 use crate::id::VertexId;
 use crate::limit::Limit;
 use crate::mesh::Mesh;
+use crate::scheme::Mask;
 use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::step::{History, SplitKind};
-use crate::subdivide::{Assignment, Control, Follower, Step, StepMasks, Subdivider};
+use crate::subdivide::{Assignment, Control, Follower, Step, StepMasks, Subdivider, ValueId};
 
 /// What [`Blend::Scheme`] does along the boundaries of charts: at seams and at the boundary of the mesh.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -205,7 +207,8 @@ impl Attributes {
     /// change, nothing else.
     ///
     /// # Errors
-    /// Those of [`Subdivider::step`], and [`RefineError::Unfollowed`] for labels of faces and corner channels if the
+    /// Those of [`Subdivider::step`] (among them [`RefineError::JoinedLate`] for a vertex channel that follows the scheme and was
+    /// added too late), and [`RefineError::Unfollowed`] for labels of faces and corner channels if the
     /// scheme does not split triangles in four. The attributes are then as before, like the mesh.
     ///
     /// # Panics
@@ -305,27 +308,45 @@ struct Watch<'a, 'f> {
 
 impl Follower for Watch<'_, '_> {
     fn follow(&mut self, step: &StepMasks<'_>) {
-        let Self { channels, splits, kind, also } = self;
-        if let Some(other) = also {
+        if let Some(other) = &mut self.also {
             other.follow(step);
         }
-        splits.first = step.vertex_count_before();
-        // Masks name old vertices only, so new values may come at once, but moved ones only at the end.
-        let mut moved: Vec<Vec<DVec4>> = vec![Vec::new(); channels.len()];
-        step.for_each(|Assignment { vertex, parents, mask }| {
-            if vertex.index() >= splits.first {
-                channels.iter_mut().for_each(|channel| channel.push(channel.odd(mask, parents, *kind)));
-                // Where it is asked for, there are two.
-                splits.parents.extend(<[VertexId; 2]>::try_from(parents));
-            } else {
-                splits.moved.push(vertex);
-                for (channel, moved) in channels.iter().zip(&mut moved) {
-                    moved.extend((channel.blend() == Blend::Scheme).then(|| mask.apply(|v| channel.at(v))));
-                }
+        self.splits.first = step.vertex_count_before();
+        self.channels.iter_mut().for_each(|channel| channel.grow(step));
+        step.replay(self, |watch, Assignment { id, parents, .. }, mask| watch.make(id, parents, mask), Watch::put);
+    }
+
+    fn has_kept(&self) -> bool {
+        let also = self.also.as_ref().is_none_or(|other| other.has_kept());
+        also && self.channels.iter().all(Channel::has_kept)
+    }
+}
+
+/// A value for each channel; `None` for one that keeps what it has.
+type Made = SmallVec<[Option<DVec4>; 2]>;
+
+impl Watch<'_, '_> {
+    fn make(&mut self, id: ValueId, parents: &[VertexId], mask: &Mask<ValueId>) -> Made {
+        if !parents.is_empty() {
+            // Where it is asked for, there are two.
+            self.splits.parents.extend(<[VertexId; 2]>::try_from(parents));
+            return self.channels.iter().map(|channel| Some(channel.odd(mask, parents, self.kind))).collect();
+        }
+        match id {
+            ValueId::Shown(v) if v.index() < self.splits.first => self.splits.moved.push(v),
+            _ => {}
+        }
+        let blend = |channel: &Channel| (channel.blend() == Blend::Scheme).then(|| mask.apply(|id| channel.at(id)));
+        self.channels.iter().map(blend).collect()
+    }
+
+    fn put(&mut self, id: ValueId, made: Option<Made>) {
+        match made {
+            None => self.channels.iter_mut().for_each(|channel| channel.put(id, None)),
+            Some(made) => {
+                let changed = self.channels.iter_mut().zip(made).filter(|(_, value)| value.is_some());
+                changed.for_each(|(channel, value)| channel.put(id, value));
             }
-        });
-        for (channel, moved) in channels.iter_mut().zip(moved) {
-            splits.moved.iter().zip(moved).for_each(|(&v, value)| channel.set(v, value));
         }
     }
 }

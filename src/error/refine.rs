@@ -49,9 +49,9 @@ pub enum RefineError {
     /// Under √3, a step by a method that promises exactness and one by a method that does not, in one run: the latter keeps
     /// positions of all levels from the first step on.
     OtherPositions,
-    /// The step has no masks to show to a follower, as its positions are not made of those before it alone: under √3 if the
-    /// method does not promise exactness, under 4-8 if triangles of several generations are split, or beside others.
-    NoMasks,
+    /// What goes along with the mesh was not there before, and the step reads values that earlier ones kept: adaptive √3 from
+    /// the second step on, 4-8 where triangles of several generations meet.
+    JoinedLate,
     /// Attributes of faces or their corners cannot be taken along by a step that cuts triangles in this way.
     Unfollowed {
         /// How it does.
@@ -86,9 +86,10 @@ impl fmt::Display for RefineError {
                 "under sqrt3 a method that promises exactness and one that does not cannot follow each other in one run; \
                  begin a new history with the mesh as it is"
             ),
-            Self::NoMasks => write!(
+            Self::JoinedLate => write!(
                 f,
-                "nothing can follow this step, as its positions are not made of those before it alone; take another method"
+                "the step reads values that earlier steps kept, and what goes along was not there; take it along from the \
+                 first step, or begin a new history with the mesh as it is"
             ),
             Self::Unfollowed { asked } => write!(
                 f,

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::weights::{Rows, WeightMatrix};
+use super::SubdivisionMatrix;
+use super::weights::WeightMatrix;
 use crate::id::VertexId;
 use crate::limit::Limit;
 use crate::mesh::Mesh;
@@ -23,10 +24,10 @@ pub struct TangentRows {
 }
 
 impl TangentRows {
-    pub(super) fn of(weights: &WeightMatrix, mesh: &Mesh, limit: &impl Limit) -> Self {
+    pub(super) fn of(matrix: &SubdivisionMatrix, mesh: &Mesh, limit: &impl Limit) -> Self {
         let around = mesh.neighborhood();
         let mut sides = Vec::new();
-        let [mut first, mut second] = [Rows::of(weights), Rows::of(weights)];
+        let [mut first, mut second] = [matrix.new_rows(), matrix.new_rows()];
         let [mut along, mut across] = [Mask::default(), Mask::default()];
         for v in mesh.vertices() {
             for side in 0..limit.side_count(around, v) {
@@ -34,8 +35,8 @@ impl TangentRows {
                 across.clear();
                 if limit.tangent_masks(around, v, side, &mut along, &mut across) {
                     sides.push((v, side));
-                    first.push(&along);
-                    second.push(&across);
+                    matrix.push_row(&mut first, &along);
+                    matrix.push_row(&mut second, &across);
                 }
             }
         }

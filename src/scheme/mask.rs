@@ -8,23 +8,31 @@ use crate::id::VertexId;
 ///
 /// The order of the groups, and of the vertices in a group, is part of the mask: a group is summed first, from its first
 /// vertex on, then scaled, and the groups are added in order. So equal masks give equal bits.
-pub trait MaskSink {
+///
+/// Schemes name vertices. A step also weighs values that it keeps beside those of the vertices, under names of type `V`.
+pub trait MaskSink<V = VertexId> {
     /// Adds `weight` times the sum of these vertices. A vertex may come more than once.
-    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = VertexId>);
+    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = V>);
 }
 
-/// A mask as data: groups of vertices, each with one weight.
-#[derive(Clone, Debug, Default)]
-pub struct Mask {
-    groups: Vec<(f64, Vec<VertexId>)>,
+/// A mask as data: groups of vertices, or of whatever `V` names, each with one weight.
+#[derive(Clone, Debug)]
+pub struct Mask<V = VertexId> {
+    groups: Vec<(f64, Vec<V>)>,
     /// The lists of groups that were cleared, for their memory.
-    spare: Vec<Vec<VertexId>>,
+    spare: Vec<Vec<V>>,
 }
 
-impl Mask {
+impl<V> Default for Mask<V> {
+    fn default() -> Self {
+        Self { groups: Vec::new(), spare: Vec::new() }
+    }
+}
+
+impl<V: Copy + PartialEq> Mask<V> {
     /// The groups in their order.
     #[must_use]
-    pub fn groups(&self) -> &[(f64, Vec<VertexId>)] {
+    pub fn groups(&self) -> &[(f64, Vec<V>)] {
         &self.groups
     }
 
@@ -36,8 +44,8 @@ impl Mask {
 
     /// The weight of one vertex, over all groups.
     #[must_use]
-    pub fn weight_of(&self, v: VertexId) -> f64 {
-        let times = |vertices: &[VertexId]| vertices.iter().filter(|&&w| w == v).count() as f64;
+    pub fn weight_of(&self, v: V) -> f64 {
+        let times = |vertices: &[V]| vertices.iter().filter(|&&w| w == v).count() as f64;
         self.groups.iter().map(|(weight, vertices)| weight * times(vertices)).sum()
     }
 
@@ -50,7 +58,7 @@ impl Mask {
     /// mask.group(0.5, [VertexId::new(1), VertexId::new(3)]);
     /// assert_eq!(mask.apply(|v| v.index() as f64), 2.0);
     /// ```
-    pub fn apply<T>(&self, value: impl Fn(VertexId) -> T) -> T
+    pub fn apply<T>(&self, value: impl Fn(V) -> T) -> T
     where
         T: Copy + Default + Add<Output = T>,
         f64: Mul<T, Output = T>,
@@ -71,14 +79,14 @@ impl Mask {
     }
 }
 
-impl PartialEq for Mask {
+impl<V: PartialEq> PartialEq for Mask<V> {
     fn eq(&self, other: &Self) -> bool {
         self.groups == other.groups
     }
 }
 
-impl MaskSink for Mask {
-    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = VertexId>) {
+impl<V> MaskSink<V> for Mask<V> {
+    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = V>) {
         let mut list = self.spare.pop().unwrap_or_default();
         list.extend(vertices);
         self.groups.push((weight, list));
@@ -105,14 +113,14 @@ impl<T, F> WeightedSum<T, F> {
     }
 }
 
-impl<T, F> MaskSink for WeightedSum<T, F>
+impl<V, T, F> MaskSink<V> for WeightedSum<T, F>
 where
-    F: Fn(VertexId) -> T,
+    F: Fn(V) -> T,
     T: Copy + Add<Output = T>,
     f64: Mul<T, Output = T>,
 {
     #[inline]
-    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = VertexId>) {
+    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = V>) {
         // With a reference to the function instead, ids go through memory and are read back in wider pieces than they were
         // written in, for which the processor waits: a third more time for a step of midpoint.
         let group = vertices.into_iter().map(|v| (self.value)(v)).reduce(|sum, value| sum + value);

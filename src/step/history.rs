@@ -22,7 +22,7 @@ pub struct Keep {
 /// every step. Two calls of one step are then the same as one call of two.
 ///
 /// Without anything kept it is a few bytes a step, and one a new vertex if the split is not in four: a trisection or a
-/// bisection cannot do without birth levels. Adaptive √3 by the method *simple* keeps 104 bytes a vertex: where it was born
+/// bisection cannot do without birth levels. Adaptive √3 by the method *simple* keeps 88 bytes a vertex: where it was born
 /// and how it moves from there.
 #[derive(Clone, Debug)]
 pub struct History {

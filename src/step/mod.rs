@@ -22,7 +22,7 @@ pub(crate) use exactness::{Exactness, Proof};
 pub use history::{History, Keep};
 pub use kind::SplitKind;
 pub use lineage::Lineage;
-pub(crate) use motion::{Motion, Motions};
+pub(crate) use motion::{Motion, Motions, Weights};
 pub use parent::Parent;
 pub use region::Region;
 pub(crate) use region::RegionKind;

@@ -37,11 +37,11 @@
 //!
 //! **Deliberately not here**: the masks ([`FourEight`]).
 
-use std::cell::Cell;
 use std::ops::Range;
 
 use glam::DVec3;
 
+use super::follow::ValueId;
 use super::positions::{NO_POSITION, finite};
 use super::{Control, Request, Step};
 use crate::error::RefineError;
@@ -59,6 +59,9 @@ use crate::step::{Bisections, History, Lineage, SplitKind};
 /// After how many new positions the caller is asked whether to go on.
 const REPORTED: usize = 1 << 10;
 
+/// The number of the one value that is kept beside that of a vertex: of a generation before.
+const EARLIER: u8 = 0;
+
 /// Refines a region.
 pub(super) fn step(scheme: &FourEight, request: Request<'_, '_>) -> Result<Step, RefineError> {
     let Request { mesh, history, selection, region, scratch, control } = request;
@@ -71,6 +74,7 @@ pub(super) fn step(scheme: &FourEight, request: Request<'_, '_>) -> Result<Step,
     let bisections = first_step.as_ref().or(history.bisections()).expect("one of them is there");
     let plan = Plan::new(mesh.rotation(), Generations::new(history, &bisections.blocks), region, scratch)?;
     control.allow(plan.first() + plan.new_count(), mesh.face_count(), plan.added_faces())?;
+    control.allow_follower(!bisections.behind.is_empty())?;
     let change = Change::compute(scheme, &plan, bisections, mesh.positions(), control)?;
     let region_size = plan.region();
     let lists = plan.into_lists();
@@ -129,12 +133,9 @@ impl Change {
     ) -> Result<Self, RefineError> {
         let mut passes = Passes::new(scheme, plan, bisections, positions);
         passes.run(control)?;
-        if control.follower.is_some() && !passes.reads_only_the_mesh() {
-            return Err(RefineError::NoMasks);
-        }
         // From here on nothing can fail.
-        passes.show(control);
         let behind = passes.behind();
+        passes.show(&behind, control);
         let Passes { old, new, moves, .. } = passes;
         let made = new.into_iter().enumerate().map(|(k, position)| New {
             position,
@@ -210,8 +211,6 @@ struct Passes<'a> {
     moves: Vec<Turn>,
     /// The least generation at each touched vertex after the step.
     reached: Vec<u8>,
-    /// Whether a position before the one of the mesh was asked for.
-    has_looked_back: Cell<bool>,
 }
 
 impl<'a> Passes<'a> {
@@ -233,7 +232,7 @@ impl<'a> Passes<'a> {
         moves.sort_by_key(|turn| turn.generation);
         let old = plan.touched().iter().map(|v| positions[v.index()]).collect();
         let new = vec![DVec3::NAN; plan.new_count()];
-        Self { scheme, plan, bisections, positions, old, new, moves, reached, has_looked_back: Cell::new(false) }
+        Self { scheme, plan, bisections, positions, old, new, moves, reached }
     }
 
     /// Makes and moves what there is, from the lowest generation up.
@@ -273,18 +272,21 @@ impl<'a> Passes<'a> {
         Ok(())
     }
 
+    /// Under which name a vertex is known as it is after so many uniform steps.
+    fn name(&self, v: VertexId, generation: u8) -> ValueId {
+        let is_earlier = self.bisections.behind.get(&v).is_some_and(|(at, _)| *at == generation);
+        if is_earlier { ValueId::Kept(v, EARLIER) } else { ValueId::Shown(v) }
+    }
+
     /// Where a vertex is after so many uniform steps.
     fn at(&self, v: VertexId, generation: u8) -> DVec3 {
         if let Some(k) = v.index().checked_sub(self.plan.first()) {
             return self.new[k];
         }
-        if !self.bisections.behind.is_empty() {
-            if let Some((_, position)) = self.bisections.behind.get(&v).filter(|(at, _)| *at == generation) {
-                self.has_looked_back.set(true);
-                return *position;
-            }
+        match self.name(v, generation) {
+            ValueId::Kept(..) => self.bisections.behind[&v].1,
+            ValueId::Shown(_) => self.plan.place_of(v).map_or(self.positions[v.index()], |place| self.old[place]),
         }
-        self.plan.place_of(v).map_or(self.positions[v.index()], |place| self.old[place])
     }
 
     /// The position of a new vertex.
@@ -335,29 +337,40 @@ impl<'a> Passes<'a> {
         }
     }
 
-    /// Whether every position is a sum of those before the step: what is split has one generation, and nothing is asked
-    /// for that has moved on.
-    fn reads_only_the_mesh(&self) -> bool {
-        let is_one = |k: usize| self.plan.generation(k) == self.plan.generation(0);
-        (0..self.new.len()).all(is_one) && !self.has_looked_back.get()
-    }
-
-    /// Shows the masks, in terms of the positions before the step.
-    fn show(&self, control: &mut Control<'_>) {
+    /// Shows the masks: in each generation those of the new vertices, and then of the ones that move on.
+    fn show(&self, behind: &[(VertexId, Option<(u8, DVec3)>)], control: &mut Control<'_>) {
         let plan = self.plan;
-        let mut moves: Vec<(VertexId, u8)> = self.moves.iter().map(|turn| (turn.v, turn.generation)).collect();
+        let mut made: Vec<usize> = (0..plan.new_count()).collect();
+        made.sort_by_key(|&k| plan.generation(k));
+        let mut moves: Vec<(u8, VertexId)> = self.moves.iter().map(|turn| (turn.generation, turn.v)).collect();
         moves.sort_unstable();
+        let mut needless: Vec<VertexId> = behind.iter().filter(|(_, at)| at.is_none()).map(|&(v, _)| v).collect();
+        needless.sort_unstable();
+        needless.dedup();
         control.show(plan.first(), plan.first() + plan.new_count(), |masks| {
-            let mut exterior = Vec::new();
-            for &(v, generation) in &moves {
-                masks.assign(v, &[], |mask| {
-                    self.write_even(v, generation, &mut exterior, &mut OfOld { plan, mask });
-                });
+            let (mut moves, mut exterior) = (moves.as_slice(), Vec::new());
+            for made in made.chunk_by(|&j, &k| plan.generation(j) == plan.generation(k)) {
+                let generation = plan.generation(made[0]);
+                let name = |v| self.name(v, generation);
+                for &k in made {
+                    let parents: Vec<VertexId> = plan.lineage(k).vertices().collect();
+                    let v = VertexId::new(plan.first() + k);
+                    masks.assign_named(v, &parents, name, |mask| self.write_new(k, mask));
+                }
+                masks.next_pass();
+                let (now, later) = moves.split_at(moves.partition_point(|&(at, _)| at == generation));
+                moves = later;
+                for &(_, v) in now {
+                    if self.is_ahead(v) {
+                        masks.assign_value(ValueId::Kept(v, EARLIER), &[], |mask| {
+                            mask.group(1.0, [ValueId::Shown(v)]);
+                        });
+                    }
+                    masks.assign_named(v, &[], name, |mask| self.write_even(v, generation, &mut exterior, mask));
+                }
+                masks.next_pass();
             }
-            for k in 0..plan.new_count() {
-                let parents: Vec<VertexId> = plan.lineage(k).vertices().collect();
-                masks.assign(VertexId::new(plan.first() + k), &parents, |mask| self.write_new(k, mask));
-            }
+            needless.iter().for_each(|&v| masks.drop(ValueId::Kept(v, EARLIER)));
         });
     }
 
@@ -399,27 +412,5 @@ impl<'a> Passes<'a> {
             behind.extend(waited.map(|w| (w, None)));
         }
         behind
-    }
-}
-
-/// A mask in terms of old vertices: of a new one in the middle of a boundary edge, its ends are named.
-struct OfOld<'a, M> {
-    plan: &'a Plan<'a>,
-    mask: &'a mut M,
-}
-
-impl<M: MaskSink> MaskSink for OfOld<'_, M> {
-    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = VertexId>) {
-        let vertices: Vec<VertexId> = vertices.into_iter().collect();
-        let first = self.plan.first();
-        if vertices.iter().all(|v| v.index() < first) {
-            return self.mask.group(weight, vertices);
-        }
-        for v in vertices {
-            match v.index().checked_sub(first) {
-                None => self.mask.group(weight, [v]),
-                Some(k) => self.mask.group(0.5 * weight, self.plan.lineage(k).vertices()),
-            }
-        }
     }
 }

@@ -1,82 +1,80 @@
 //! What goes along with a mesh from step to step, by the masks that make its positions.
 //!
-//! A step replaces the positions by weighted sums of the old ones. Whatever else belongs to the vertices (a colour, a
+//! A step replaces the positions by weighted sums of those before it. Whatever else belongs to the vertices (a colour, a
 //! weight, the row of a matrix) is replaced in the same way by a [`Follower`], to which the step shows its masks.
+//!
+//! Some steps read more than the mesh shows. Adaptive 4-8 reads where a vertex was a generation before, adaptive √3 where
+//! it was born and where it tends to. Such *kept* values are made by masks as well, so a step shows them as it shows those
+//! of the vertices: a [`ValueId`] names either.
+//!
+//! Read in this order: [`Follower`], [`Values`](super::Values) (the one that is ready), [`StepMasks`], [`Assignment`].
 //!
 //! **Deliberately not here**: what is done with the masks.
 
 use std::fmt;
 
 use super::Control;
+use crate::error::RefineError;
 use crate::id::VertexId;
-use crate::scheme::Mask;
+use crate::scheme::{Mask, MaskSink};
 
-/// What goes along with a mesh; given to a step with [`Control::follower`].
+/// What goes along with a mesh; given to each of its steps with [`Control::follower`].
 ///
-/// ```
-/// use vvmesh::adaptive::Uniform;
-/// use vvmesh::scheme::Loop;
-/// use vvmesh::scratch::Scratch;
-/// use vvmesh::select::Selection;
-/// use vvmesh::step::{History, Keep};
-/// use vvmesh::subdivide::{Control, Follower, StepMasks, Subdivider};
-/// use vvmesh::shapes;
-///
-/// /// A number a vertex.
-/// struct Heat(Vec<f64>);
-///
-/// impl Follower for Heat {
-///     fn follow(&mut self, step: &StepMasks<'_>) {
-///         let mut new = self.0.clone();
-///         new.resize(step.vertex_count_after(), 0.0);
-///         step.for_each(|shown| new[shown.vertex.index()] = shown.mask.apply(|v| self.0[v.index()]));
-///         self.0 = new;
-///     }
-/// }
-///
-/// let mut mesh = shapes::icosahedron();
-/// let mut heat = Heat(mesh.positions().iter().map(|position| position.x).collect());
-/// let mut history = History::new(&mesh, Keep::default());
-/// let control = &mut Control { follower: Some(&mut heat), ..Control::default() };
-/// let (subdivider, all) = (Subdivider::new(Loop::default(), Uniform), Selection::empty());
-/// subdivider.step(&mut mesh, &mut history, &all, &mut Scratch::new(), control)?;
-/// assert!(mesh.positions().iter().map(|position| position.x).eq(heat.0));
-/// # Ok::<(), vvmesh::error::Error>(())
-/// ```
+/// [`Values`](super::Values) is one, for values that are weighed and added.
 pub trait Follower {
     /// Takes one step.
     ///
-    /// Called once a step, after all that can fail and before anything is written: so a step that fails is shown to
-    /// nobody, and one that is shown is made. A step that has no masks of the mesh before it fails with
-    /// [`RefineError::NoMasks`](crate::error::RefineError::NoMasks).
+    /// Called once a step, after all that can fail: so a step that fails is shown to nobody, and one that is shown is made.
     fn follow(&mut self, step: &StepMasks<'_>);
+
+    /// Whether it has kept values. If the steps before left some that the next one may read, a follower without any was not
+    /// there, and the step fails with [`RefineError::JoinedLate`](crate::error::RefineError::JoinedLate).
+    fn has_kept(&self) -> bool;
+}
+
+/// The name of a value that goes along.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum ValueId {
+    /// The one that belongs to where the mesh shows a vertex.
+    Shown(VertexId),
+    /// One of those that are kept beside it, by number, since later steps may read them.
+    Kept(VertexId, u8),
+}
+
+impl From<VertexId> for ValueId {
+    fn from(v: VertexId) -> Self {
+        Self::Shown(v)
+    }
 }
 
 /// The masks of one step.
 ///
-/// They tell the step: a vertex that they name gets the sum of *old* values that its mask says, one that they do not name
-/// keeps its value. Named are the old vertices that the scheme moves, if it moves any, and all new ones. The same is shown
-/// of a region that is the whole mesh as of the whole mesh.
+/// They tell the step: a value that they name gets the sum that its mask says, one that they do not name stays as it is.
+/// They come in *passes*. The masks of a pass read the values as they are before it, and never one that is made in it; most
+/// steps have one pass. Named are all new vertices, the old ones that the scheme moves, if it moves any, and what is kept.
+/// The same is shown of a region that is the whole mesh as of the whole mesh.
 pub struct StepMasks<'a> {
     before: usize,
     after: usize,
     write: &'a dyn Fn(&mut MaskWriter<'_>),
 }
 
-/// The mask of one vertex in a step.
+/// The mask of one value in a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment<'a> {
-    /// The vertex that gets a new value.
-    pub vertex: VertexId,
-    /// The vertices that a new vertex was made of, in the order of its [`Lineage`](crate::step::Lineage); none for an old
-    /// vertex.
+    /// The value that is made anew. In a pass each comes once.
+    pub id: ValueId,
+    /// Of a new vertex, where it comes first, what it was made of, in the order of its
+    /// [`Lineage`](crate::step::Lineage); else none.
     pub parents: &'a [VertexId],
-    /// The weights of its new value.
-    pub mask: &'a Mask,
+    /// The pass, from 0 on.
+    pub pass: usize,
+    /// The weights of the new value; `None` for a kept one that nothing will read any more.
+    pub mask: Option<&'a Mask<ValueId>>,
 }
 
 impl StepMasks<'_> {
-    /// How many vertices there are before the step. Masks name only these.
+    /// How many vertices there are before the step.
     #[must_use]
     pub fn vertex_count_before(&self) -> usize {
         self.before
@@ -88,9 +86,36 @@ impl StepMasks<'_> {
         self.after
     }
 
-    /// Shows the masks in ascending order of their vertices. They are computed anew each time. O(region).
+    /// Shows the masks pass by pass, in each the vertices in ascending order. They are computed anew each time. O(region).
     pub fn for_each(&self, mut take: impl FnMut(Assignment<'_>)) {
-        (self.write)(&mut MaskWriter { mask: Mask::default(), take: &mut take });
+        (self.write)(&mut MaskWriter { mask: Mask::default(), pass: 0, take: &mut take });
+    }
+
+    /// Does in a store of values what the masks say: `make` answers a new value from those in the store, `put` puts it
+    /// there, or takes one away.
+    ///
+    /// Values that take the place of others wait for the end of their pass. O(region).
+    pub fn replay<S, T>(
+        &self,
+        store: &mut S,
+        mut make: impl FnMut(&mut S, Assignment<'_>, &Mask<ValueId>) -> T,
+        mut put: impl FnMut(&mut S, ValueId, Option<T>),
+    ) {
+        let mut waiting: Vec<(ValueId, Option<T>)> = Vec::new();
+        let mut pass = 0;
+        self.for_each(|assignment| {
+            if assignment.pass > pass {
+                waiting.drain(..).for_each(|(id, value)| put(store, id, value));
+                pass = assignment.pass;
+            }
+            let value = assignment.mask.map(|mask| make(store, assignment, mask));
+            if assignment.parents.is_empty() {
+                waiting.push((assignment.id, value));
+            } else {
+                put(store, assignment.id, value);
+            }
+        });
+        waiting.into_iter().for_each(|(id, value)| put(store, id, value));
     }
 }
 
@@ -103,25 +128,78 @@ impl fmt::Debug for StepMasks<'_> {
 
 /// Where a step of any kind writes its masks.
 pub(super) struct MaskWriter<'a> {
-    mask: Mask,
+    mask: Mask<ValueId>,
+    pass: usize,
     take: &'a mut dyn FnMut(Assignment<'_>),
 }
 
 impl MaskWriter<'_> {
-    /// Shows the mask of the next vertex; see [`Assignment`] for what `parents` are.
-    pub(super) fn assign(&mut self, vertex: VertexId, parents: &[VertexId], write: impl FnOnce(&mut Mask)) {
+    /// Shows the mask of the next vertex, in terms of what is shown; see [`Assignment`] for what `parents` are.
+    pub(super) fn assign(
+        &mut self,
+        vertex: VertexId,
+        parents: &[VertexId],
+        write: impl FnOnce(&mut Named<'_, fn(VertexId) -> ValueId>),
+    ) {
+        self.assign_named(vertex, parents, ValueId::from as fn(VertexId) -> ValueId, write);
+    }
+
+    /// The same with other values in the place of those shown.
+    pub(super) fn assign_named<F>(
+        &mut self,
+        vertex: VertexId,
+        parents: &[VertexId],
+        name: F,
+        write: impl FnOnce(&mut Named<'_, F>),
+    ) {
+        self.assign_value(ValueId::Shown(vertex), parents, |mask| write(&mut Named { mask, name }));
+    }
+
+    /// Shows the mask of any value.
+    pub(super) fn assign_value(&mut self, id: ValueId, parents: &[VertexId], write: impl FnOnce(&mut Mask<ValueId>)) {
         self.mask.clear();
         write(&mut self.mask);
-        (self.take)(Assignment { vertex, parents, mask: &self.mask });
+        (self.take)(Assignment { id, parents, pass: self.pass, mask: Some(&self.mask) });
+    }
+
+    /// Shows that a kept value is not needed any more.
+    pub(super) fn drop(&mut self, id: ValueId) {
+        (self.take)(Assignment { id, parents: &[], pass: self.pass, mask: None });
+    }
+
+    /// Ends a pass.
+    pub(super) fn next_pass(&mut self) {
+        self.pass += 1;
+    }
+}
+
+/// Takes a mask of vertices under the names of their values.
+pub(super) struct Named<'a, F> {
+    mask: &'a mut Mask<ValueId>,
+    name: F,
+}
+
+impl<F: Fn(VertexId) -> ValueId> MaskSink for Named<'_, F> {
+    fn group(&mut self, weight: f64, vertices: impl IntoIterator<Item = VertexId>) {
+        self.mask.group(weight, vertices.into_iter().map(&self.name));
     }
 }
 
 impl Control<'_> {
+    /// Whether the follower, if there is one, can take a step that may read kept values of the steps before, if there are
+    /// any.
+    pub(super) fn allow_follower(&self, has_kept: bool) -> Result<(), RefineError> {
+        match &self.follower {
+            Some(follower) if has_kept && !follower.has_kept() => Err(RefineError::JoinedLate),
+            _ => Ok(()),
+        }
+    }
+
     /// Shows the masks of a step to the follower, if there is one.
     ///
-    /// Whatever the kind of the split, a step calls this once, when nothing can fail any more and all is still as before.
-    /// `write` assigns, ascending by id, every old vertex that moves and every new vertex, in terms of the old vertices and
-    /// with the masks of the positions; it is called as often as the follower wants.
+    /// Whatever the kind of the split, a step calls this once, when nothing can fail any more. `write` assigns, with the
+    /// masks of the positions, every new vertex and every old one that moves; it is called as often as the follower wants.
+    /// A value that is kept for later steps is named here too, and dropped here.
     pub(super) fn show(&mut self, before: usize, after: usize, write: impl Fn(&mut MaskWriter<'_>)) {
         if let Some(follower) = &mut self.follower {
             follower.follow(&StepMasks { before, after, write: &write });

@@ -8,7 +8,7 @@
 //! Everything that can fail comes before the first write, so a step is made whole or not at all. Cost and extra memory
 //! are those of the region and the rings next to it, not of the mesh.
 //!
-//! What belongs to the vertices beside their positions can go along: see [`Follower`].
+//! What belongs to the vertices beside their positions can go along: see [`Follower`] and [`Values`].
 //!
 //! **Deliberately not here**: what is refined ([`crate::adaptive`]), weights ([`crate::scheme`]), rings
 //! ([`crate::split`]).
@@ -18,8 +18,10 @@ mod follow;
 mod positions;
 mod quadrisect;
 mod trisect;
+mod values;
 
-pub use follow::{Assignment, Follower, StepMasks};
+pub use follow::{Assignment, Follower, StepMasks, ValueId};
+pub use values::Values;
 
 use std::ops::ControlFlow;
 
@@ -170,7 +172,7 @@ impl Subdivider {
     ///
     /// # Errors
     /// A selected vertex that does not exist, a history of another [`SplitKind`](crate::step::SplitKind) or under √3 of other methods, a
-    /// follower without masks to follow, semi-sharp tags that the scheme cannot blend, more faces than
+    /// follower that was not there from the first step on and has to be, semi-sharp tags that the scheme cannot blend, more faces than
     /// [`Control::max_faces`], more vertices than 32-bit ids name, a 256th level, a position that is not finite, or the
     /// caller's wish to stop. The mesh and the history are then as before.
     ///

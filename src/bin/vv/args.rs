@@ -169,7 +169,8 @@ pub(crate) struct SubdivideArguments {
 The matrix has a row for each vertex that `vv subdivide` would write with the same options, and a
 column for each vertex of the input, both in the order of the files. The file is Matrix Market,
 coordinate real general, counted from 1. When the input is moved and its faces stay, one product
-takes the place of refining it again; a selection is not made anew."))]
+takes the place of refining it again; a selection is not made anew, nor are the faces paired that
+`four-eight` splits together."))]
 pub(crate) struct MatrixArguments {
     /// Where to write the matrix
     #[arg(short = 'o', value_name = "OUT.mtx")]
@@ -213,7 +214,7 @@ pub(crate) struct RefineArguments {
     pub(crate) blocks: Option<BlocksName>,
     #[command(flatten)]
     pub(crate) tags: TagArguments,
-    /// Put the vertices where infinitely many steps of `loop` would
+    /// Put the vertices where infinitely many steps would, under `loop`, or under `sqrt3` by `uniform`
     #[arg(long)]
     pub(crate) limit: bool,
     /// Refuse to make more faces than this [default: what fits the memory that is free]

@@ -10,7 +10,7 @@ use vvmesh::soup::FaceList;
 use vvmesh::step::SplitKind;
 use vvmesh::{Mesh, Triangle, VertexId};
 
-use crate::args::{ColorsName, MethodName, NormalsName, SchemeName, SubdivideArguments, TextureName, loop_weights};
+use crate::args::{ColorsName, NormalsName, SchemeName, SubdivideArguments, TextureName, loop_weights};
 use crate::console::{Failure, note, refuse};
 use crate::refine;
 use crate::run::Run;
@@ -88,8 +88,7 @@ pub(crate) fn to_take_along(
     })
 }
 
-/// What rides along with a scheme whose faces do not lie in those of the step before: colours, if there are masks to
-/// make them by.
+/// What rides along with a scheme whose faces do not lie in those of the step before: colours.
 fn without_faces(arguments: &SubdivideArguments, said: FaceAttributes) -> Result<FaceAttributes, Failure> {
     let scheme = arguments.refine.scheme;
     if arguments.uv.is_some() {
@@ -97,22 +96,12 @@ fn without_faces(arguments: &SubdivideArguments, said: FaceAttributes) -> Result
             "--uv has no meaning with --scheme {scheme}: it does not take texture coordinates along; leave it out"
         ));
     }
-    if arguments.colors.is_some() && arguments.refine.method == MethodName::Simple {
-        return refuse(format!(
-            "--colors has no meaning with --scheme {scheme} --method simple: it does not take colours along; leave it \
-             out"
-        ));
-    }
-    let (mut kept, mut lost) =
-        (FaceAttributes::default(), "groups, objects, materials, texture coordinates and normals");
-    if arguments.refine.method == MethodName::Simple {
-        lost = "groups, objects, materials, texture coordinates, normals and colours";
-    } else {
-        kept.vertex_colors.clone_from(&said.vertex_colors);
-    }
+    let mut kept = FaceAttributes::default();
+    kept.vertex_colors.clone_from(&said.vertex_colors);
     if said != kept {
         note(format_args!(
-            "{}: {lost} are lost: --scheme {scheme} does not take them along; --normals recompute makes new normals",
+            "{}: groups, objects, materials, texture coordinates and normals are lost: --scheme {scheme} does not take \
+             them along; --normals recompute makes new normals",
             arguments.refine.mesh.display()
         ));
     }

@@ -8,7 +8,7 @@ use vvmesh::step::{History, Keep};
 use vvmesh::{Mesh, VertexId};
 
 use crate::Outcome;
-use crate::args::{LimitArguments, LimitName, loop_weights};
+use crate::args::{LimitArguments, LimitName, MethodName, RefineArguments, SchemeName, loop_weights};
 use crate::attributes::{self, Finished};
 use crate::console::{Failure, print, print_json, refuse, warning};
 use crate::input::Input;
@@ -106,7 +106,7 @@ pub(crate) fn move_vertices(
 }
 
 /// Refuses a mesh that has no known limit yet; the refusal begins with `option`.
-pub(crate) fn refuse_unfaded(option: &str, mesh: &Mesh) -> Result<(), Failure> {
+fn refuse_unfaded(option: &str, mesh: &Mesh) -> Result<(), Failure> {
     let around = mesh.neighborhood();
     let steps =
         if mesh.tags().has_semi_sharp() { mesh.vertices().map(|v| around.semi_sharp_steps(v)).max() } else { None };
@@ -118,6 +118,33 @@ pub(crate) fn refuse_unfaded(option: &str, mesh: &Mesh) -> Result<(), Failure> {
             count(steps as usize, "more level", "more levels")
         )),
     }
+}
+
+/// The limit of a refinement at its vertices, or why none is known.
+pub(crate) fn of_refinement(arguments: &RefineArguments) -> Result<AnyLimit, &'static str> {
+    match (arguments.scheme, arguments.method) {
+        (SchemeName::Loop, _) => Ok(LoopLimit::new(loop_weights(arguments.weights)).into()),
+        (SchemeName::Sqrt3, MethodName::Uniform) => Ok(Sqrt3Limit.into()),
+        (SchemeName::Sqrt3, _) => Err("its limits are known after `uniform` steps only"),
+        (SchemeName::Butterfly | SchemeName::ModifiedButterfly | SchemeName::Midpoint, _) => {
+            Err("its vertices stay where they are made, which is their limit")
+        }
+        (SchemeName::FourEight, _) => Err("its limits are not known"),
+    }
+}
+
+/// Refuses a refined mesh the limit of which is not known yet; the refusal begins with `option`.
+pub(crate) fn refuse_unready(option: &str, mesh: &Mesh, arguments: &RefineArguments) -> Result<(), Failure> {
+    if arguments.scheme == SchemeName::Sqrt3
+        && arguments.levels % 2 == 1
+        && mesh.vertices().any(|v| mesh.is_boundary(v))
+    {
+        return refuse(format!(
+            "{option}the mesh has a boundary, of which two levels of sqrt3 cut the edges once, and the limit is known after \
+             both: take an even number of levels. Nothing was written"
+        ));
+    }
+    refuse_unfaded(option, mesh)
 }
 
 fn limit(arguments: &LimitArguments) -> AnyLimit {

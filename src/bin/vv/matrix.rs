@@ -2,12 +2,11 @@
 
 use serde::Serialize;
 use vvmesh::io::{write_atomically, write_matrix_market};
-use vvmesh::limit::LoopLimit;
 use vvmesh::matrix::{SubdivisionMatrix, WeightMatrix};
 use vvmesh::step::Keep;
 
 use crate::Outcome;
-use crate::args::{MatrixArguments, MethodName, loop_weights};
+use crate::args::{MatrixArguments, MethodName};
 use crate::console::{Failure, print, print_json, refuse};
 use crate::input::Input;
 use crate::memory::FaceLimit;
@@ -37,16 +36,17 @@ pub(crate) fn run(arguments: &MatrixArguments) -> Result<Outcome, Failure> {
     let Input { mut mesh, tags, .. } = input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
     refine::tag(&mut mesh, tags.as_ref(), asked)?;
     let mut matrix = SubdivisionMatrix::new(&mesh);
-    let face_limit = FaceLimit::with_matrix(asked.max_faces, &mesh, asked.scheme);
+    let face_limit = FaceLimit::with_matrix(asked, &mesh);
     let certificate = refine::scheme(asked).reach().is_some() && asked.method != MethodName::Uniform;
     let keep = Keep { names: false, certificate };
     let mut run = refine::begin(mesh, asked, subdivider, &selecting, keep, face_limit)?;
     refine::refine(&mut run, asked, &selecting, face_limit, Some(&mut matrix), &mut bar)?;
-    let weights = if asked.limit {
-        limit::refuse_unfaded("--limit: ", &run.mesh)?;
-        matrix.limit(&run.mesh, &LoopLimit::new(loop_weights(asked.weights)))
-    } else {
-        matrix.into_weights()
+    let weights = match limit::of_refinement(asked) {
+        Ok(limit) if asked.limit => {
+            limit::refuse_unready("--limit: ", &run.mesh, asked)?;
+            matrix.limit(&run.mesh, &limit)
+        }
+        _ => matrix.weights(),
     };
 
     bar.show_stage(format!("writing {}", output.display()));

@@ -3,7 +3,7 @@
 use sysinfo::{MemoryRefreshKind, System};
 use vvmesh::Mesh;
 
-use crate::args::SchemeName;
+use crate::args::{MethodName, RefineArguments, SchemeName};
 use crate::console::{Failure, refuse};
 
 /// Bytes a face at the peak of a run. Up to 56 were measured, with all that can be kept; the rest is for rings longer than
@@ -38,9 +38,14 @@ impl FaceLimit {
     }
 
     /// The same if the matrix of the refinement of a mesh is made, too.
-    pub(crate) fn with_matrix(given: Option<u64>, mesh: &Mesh, scheme: SchemeName) -> Self {
-        let bytes_a_vertex = weights_a_row(mesh, scheme) * BYTES_A_WEIGHT;
-        Self::of(given, BYTES_A_FACE + (bytes_a_vertex / 2.0) as u64)
+    pub(crate) fn with_matrix(arguments: &RefineArguments, mesh: &Mesh) -> Self {
+        let bytes_a_row = weights_a_row(mesh, arguments.scheme) * BYTES_A_WEIGHT;
+        let rows_a_vertex = match (arguments.scheme, arguments.method) {
+            // Where a vertex was born and where it tends to.
+            (SchemeName::Sqrt3, MethodName::Simple) => 3.0,
+            _ => 1.0,
+        };
+        Self::of(arguments.max_faces, BYTES_A_FACE + (rows_a_vertex * bytes_a_row / 2.0) as u64)
     }
 
     fn of(given: Option<u64>, bytes_a_face: u64) -> Self {

@@ -19,7 +19,7 @@ use crate::outputs::{MESH, Named};
 use crate::progress::Bar;
 use crate::run::Run;
 use crate::table::count;
-use crate::{input, sharp};
+use crate::{input, limit, sharp};
 
 /// How many examples a warning gives.
 const EXAMPLES: usize = 3;
@@ -200,12 +200,9 @@ fn refuse_without_meaning(arguments: &RefineArguments, scheme: &AnyScheme) -> Re
             arguments.blocks.is_some() && *name != SchemeName::FourEight,
             format!("--scheme {name}: only `four-eight` pairs faces"),
         ),
-        (
-            "--limit",
-            arguments.limit && !is_loop,
-            format!("--scheme {name}: it goes with `loop` only; `vv limit` knows other schemes"),
-        ),
     ];
+    let limit = limit::of_refinement(arguments).err().filter(|_| arguments.limit);
+    let limit = limit.map(|reason| ("--limit", true, format!("--scheme {name} --method {method}: {reason}")));
     let creases = (
         "--creases",
         arguments.tags.creases.is_some() && !scheme.blends_sharpness(),
@@ -214,7 +211,7 @@ fn refuse_without_meaning(arguments: &RefineArguments, scheme: &AnyScheme) -> Re
     let tag = arguments.tags.first_given().filter(|_| !reads_tags);
     let tag =
         tag.map(|option| (option, true, format!("--scheme {name}: its weights know neither creases nor corners")));
-    match refusals.iter().chain([&creases]).chain(&tag).find(|(_, refused, _)| *refused) {
+    match refusals.iter().chain(&limit).chain([&creases]).chain(&tag).find(|(_, refused, _)| *refused) {
         Some((option, _, reason)) => refuse(format!("{option} has no meaning with {reason}; leave it out")),
         None => Ok(()),
     }

@@ -5,11 +5,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use vvmesh::io::write_atomically;
-use vvmesh::limit::LoopLimit;
 use vvmesh::step::Keep;
 
 use crate::Outcome;
-use crate::args::{BoundaryName, CreasesName, MethodName, SubdivideArguments, loop_weights};
+use crate::args::{BoundaryName, CreasesName, MethodName, SubdivideArguments};
 use crate::attributes::{self, Finished};
 use crate::console::{Failure, json, print};
 use crate::input::Input;
@@ -41,8 +40,8 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     }
     let input = run.sizes();
     refine::refine(&mut run, asked, &selecting, limit, None, &mut bar)?;
-    if asked.limit {
-        let limit = LoopLimit::new(loop_weights(asked.weights));
+    if let (true, Ok(limit)) = (asked.limit, limit::of_refinement(asked)) {
+        limit::refuse_unready("--limit: ", &run.mesh, asked)?;
         run.attributes = limit::move_vertices("--limit: ", &mut run.mesh, run.attributes.take(), &limit)?;
     }
 

@@ -27,6 +27,7 @@
 mod closed_form;
 mod masks;
 mod passes;
+mod points;
 
 use super::{Request, Step};
 use crate::error::RefineError;

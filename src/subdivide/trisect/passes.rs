@@ -14,6 +14,7 @@ use glam::DVec3;
 
 use super::closed_form;
 use super::masks::add_others;
+use super::points::Points;
 use crate::error::RefineError;
 use crate::id::{Triangle, VertexId};
 use crate::mesh::Mesh;
@@ -34,26 +35,30 @@ pub(super) fn split(
     plan: &mut Plan,
     control: &mut Control<'_>,
 ) -> Result<usize, RefineError> {
-    if control.follower.is_some() {
-        return Err(RefineError::NoMasks);
-    }
     let first = mesh.vertex_count();
-    let mut motions = match history.take_motions() {
-        Some(motions) => motions,
-        None if history.step_count() == 0 => closed_form::of_input(scheme, mesh),
+    control.allow_follower(history.has_motions() && first > 0)?;
+    let is_followed = control.follower.is_some();
+    let mut points = match history.take_motions() {
+        Some(motions) => Points::new(motions, is_followed),
+        None if history.step_count() == 0 => {
+            let mut points = Points::new(Motions::default(), is_followed);
+            closed_form::push_input(scheme, mesh, &mut points);
+            points
+        }
         None => return Err(RefineError::OtherPositions),
     };
     plan.clear();
     let levels = Levels::before(history, first);
     let mut undo = Undo::default();
-    let mut passes = Passes { scheme, mesh, levels, plan, motions: &mut motions, undo: &mut undo, max_valence: 0 };
+    let mut passes = Passes { scheme, mesh, levels, plan, points: &mut points, undo: &mut undo, first, max_valence: 0 };
     let split = passes.split(inside, control);
-    if split.is_err() {
-        undo.apply(mesh, &mut motions, first);
+    match &split {
+        Ok(_) => control.show(first, mesh.vertex_count(), |masks| points.script().play(masks)),
+        Err(_) => undo.apply(mesh, &mut points.motions, first),
     }
     // A run that did not begin may go another way.
     if split.is_ok() || history.step_count() > 0 {
-        history.keep_motions(motions);
+        history.keep_motions(points.motions);
     }
     split
 }
@@ -93,8 +98,10 @@ struct Passes<'a> {
     mesh: &'a mut Mesh,
     levels: Levels<'a>,
     plan: &'a mut Plan,
-    motions: &'a mut Motions,
+    points: &'a mut Points,
     undo: &'a mut Undo,
+    /// How many vertices there were before the step.
+    first: usize,
     max_valence: usize,
 }
 
@@ -163,9 +170,9 @@ impl Passes<'_> {
             if done % BUFFERED == 0 {
                 control.report(done, faces.len())?;
             }
-            closed_form::push(self.motions, face);
+            closed_form::push(self.points, face);
             for (x, _) in face.made() {
-                positions.push(finite(self.motions.birth(x), face.corners[0])?);
+                positions.push(finite(self.points.motions.point(x, Motion::BIRTH), face.corners[0])?);
             }
         }
         self.levels.push(faces);
@@ -174,8 +181,8 @@ impl Passes<'_> {
 
         let new = self.plan.pass().iter().flat_map(|face| face.made().map(|(x, _)| x));
         for v in new.chain(self.plan.apexes()) {
-            if self.motions.is_open(v) && self.needed_around(v).is_none() {
-                closed_form::settle(self.scheme, self.motions, self.mesh.rotation(), &self.levels, v);
+            if self.points.motions.is_open(v) && self.needed_around(v).is_none() {
+                closed_form::settle(self.scheme, self.points, self.mesh.rotation(), &self.levels, v);
                 self.undo.settled.push(v);
             }
         }
@@ -184,17 +191,18 @@ impl Passes<'_> {
 
     /// Puts the vertices around which something was split where they are at the level of their surroundings.
     fn show(&mut self) -> Result<(), RefineError> {
-        let new = self.plan.faces().iter().flat_map(|face| face.made().map(|(x, _)| x));
-        let mut touched: Vec<VertexId> = self.undo.rings.iter().map(|&(v, _)| v).chain(new).collect();
+        let mut touched: Vec<VertexId> = self.undo.rings.iter().map(|&(v, _)| v).collect();
+        touched.retain(|v| v.index() < self.first);
         touched.sort_unstable();
         touched.dedup();
-        for v in touched {
+        let new = self.plan.faces().iter().flat_map(|face| face.made().map(|(x, lineage)| (x, Some(lineage))));
+        for (v, lineage) in touched.into_iter().map(|v| (v, None)).chain(new) {
             let whole = |triangle| {
                 let lags = self.across_mate(triangle).is_some();
                 self.levels.state(triangle).level() - u8::from(lags)
             };
             let level = self.mesh.rotation().triangles_around(v).map(whole).min().unwrap_or(0);
-            let position = finite(self.motions.at(v, level.max(self.levels.of(v))), v)?;
+            let position = finite(self.points.show(v, level.max(self.levels.of(v)), lineage), v)?;
             self.undo.positions.push((v, mem::replace(&mut self.mesh.positions_mut()[v.index()], position)));
         }
         Ok(())
