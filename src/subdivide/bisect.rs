@@ -339,6 +339,9 @@ impl<'a> Passes<'a> {
 
     /// Shows the masks: in each generation those of the new vertices, and then of the ones that move on.
     fn show(&self, behind: &[(VertexId, Option<(u8, DVec3)>)], control: &mut Control<'_>) {
+        if control.follower.is_none() {
+            return;
+        }
         let plan = self.plan;
         let mut made: Vec<usize> = (0..plan.new_count()).collect();
         made.sort_by_key(|&k| plan.generation(k));

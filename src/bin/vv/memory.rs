@@ -13,9 +13,12 @@ const BYTES_A_FACE: u64 = 96;
 /// The same if attributes ride along. Up to 337 were measured, with texture coordinates, normals, colours and groups.
 const BYTES_A_FACE_WITH_ATTRIBUTES: u64 = 512;
 
-/// Bytes a weight at the peak of a run that makes a matrix. It takes 12; up to 26 were measured, where rows of limit
-/// positions are made of those of vertices; the rest is for systems that copy what grows.
-const BYTES_A_WEIGHT: f64 = 32.0;
+/// Bytes a weight at the peak of a run that makes a matrix. It takes 12; up to 35 were measured, under `four-eight`, where
+/// half of the weights are those of rows that were replaced; the rest is for systems that copy what grows.
+const BYTES_A_WEIGHT: f64 = 40.0;
+
+/// The same under `sqrt3` by `simple`, with rows of where vertices were born and where they tend to. Up to 72 were measured.
+const BYTES_A_WEIGHT_IN_CLOSED_FORM: f64 = 80.0;
 
 /// How many faces a run may make, and why.
 #[derive(Clone, Copy)]
@@ -39,13 +42,13 @@ impl FaceLimit {
 
     /// The same if the matrix of the refinement of a mesh is made, too.
     pub(crate) fn with_matrix(arguments: &RefineArguments, mesh: &Mesh) -> Self {
-        let bytes_a_row = weights_a_row(mesh, arguments.scheme) * BYTES_A_WEIGHT;
-        let rows_a_vertex = match (arguments.scheme, arguments.method) {
-            // Where a vertex was born and where it tends to.
-            (SchemeName::Sqrt3, MethodName::Simple) => 3.0,
-            _ => 1.0,
+        let bytes_a_weight = match (arguments.scheme, arguments.method) {
+            (SchemeName::Sqrt3, MethodName::Simple) => BYTES_A_WEIGHT_IN_CLOSED_FORM,
+            _ => BYTES_A_WEIGHT,
         };
-        Self::of(arguments.max_faces, BYTES_A_FACE + (rows_a_vertex * bytes_a_row / 2.0) as u64)
+        // There are half as many rows as faces.
+        let bytes_a_row = weights_a_row(mesh, arguments.scheme) * bytes_a_weight;
+        Self::of(arguments.max_faces, BYTES_A_FACE + (bytes_a_row / 2.0) as u64)
     }
 
     fn of(given: Option<u64>, bytes_a_face: u64) -> Self {
