@@ -47,7 +47,8 @@
 //! ```
 //!
 //! Then: [`query`] (stars, disks, areas, angles, normals), [`graph`] (petgraph's algorithms on the rings), [`limit`] (where
-//! infinitely many steps lead, at vertices and between them), `matrix` (refinement as a sparse matrix), [`attributes`]
+//! infinitely many steps lead, at vertices and between them), [`predict`] (how many steps an accuracy takes, and how many faces),
+//! `matrix` (refinement as a sparse matrix), [`attributes`]
 //! (colours, texture coordinates and labels that ride along), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and
 //! transactions), [`soup`] (faces that are no mesh yet), [`Mesh::reordered`] (other numbers, for a mesh whose neighbours lie
 //! far apart in memory).
@@ -145,6 +146,7 @@
 //! [`Subdivider`]: subdivide::Subdivider
 //! [`History`]: step::History
 
+pub mod accuracy;
 pub mod adaptive;
 pub mod angle;
 pub mod attributes;
@@ -159,6 +161,7 @@ pub mod limit;
 pub mod matrix;
 pub mod mesh;
 mod parallel;
+pub mod predict;
 pub mod query;
 pub mod rotation;
 pub mod scheme;
@@ -175,6 +178,7 @@ pub use petgraph;
 #[cfg(feature = "matrix")]
 pub use sprs;
 
+pub use accuracy::Accuracy;
 pub use angle::Angle;
 pub use id::{DirectedEdge, Edge, Triangle, VertexId};
 pub use mesh::Mesh;

@@ -25,6 +25,7 @@ examples! {
     cage, "../examples/05_moving_cage.rs", "frame 3: ";
     texture, "../examples/06_texture_coordinates.rs", "5 of 5 vertices on the seam";
     limit, "../examples/07_limit.rs", "from its first corner";
+    predict, "../examples/08_predict.rs", "is proven";
 }
 
 #[test]

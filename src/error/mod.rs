@@ -6,6 +6,7 @@
 
 mod build;
 mod edit;
+mod predict;
 mod read;
 mod refine;
 mod select;
@@ -13,6 +14,7 @@ mod write;
 
 pub use build::{BuildError, Defect, DefectKind};
 pub use edit::{EditError, RingDefect};
+pub use predict::PredictError;
 pub use read::{ReadError, ReadErrorKind};
 pub use refine::{ConfigError, RefineError};
 pub use select::{ExpressionError, ExpressionErrorKind, SelectError};
@@ -38,6 +40,8 @@ pub enum Error {
     Select(SelectError),
     /// A refinement step was not made.
     Refine(RefineError),
+    /// Nothing can be foretold of a mesh.
+    Predict(PredictError),
     /// A file could not be written.
     Write(WriteError),
 }
@@ -72,5 +76,6 @@ stages!(
     Expression: ExpressionError,
     Select: SelectError,
     Refine: RefineError,
+    Predict: PredictError,
     Write: WriteError
 );

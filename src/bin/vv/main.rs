@@ -15,6 +15,7 @@ mod limit;
 mod matrix;
 mod memory;
 mod outputs;
+mod predict;
 mod progress;
 mod refine;
 mod report;
@@ -57,6 +58,7 @@ fn main() -> ExitCode {
         Command::Subdivide(arguments) => subdivide::run(&arguments),
         Command::Matrix(arguments) => matrix::run(&arguments),
         Command::Limit(arguments) => limit::run(&arguments),
+        Command::Predict(arguments) => predict::run(&arguments),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

@@ -59,6 +59,11 @@ impl FaceLimit {
         Self { faces, memory: None }
     }
 
+    /// Whether so many faces are not too many.
+    pub(crate) fn holds(self, faces: u64) -> bool {
+        faces <= self.faces
+    }
+
     /// Refuses a uniform run of which some level would be too large, each step making `parts` of a face.
     pub(crate) fn refuse_uniform(self, faces: usize, parts: u64, levels: u8) -> Result<(), Failure> {
         let mut needed = faces as u64;
