@@ -1,9 +1,11 @@
 //! What does it cost to go to the limit: all vertices with and without normals, and points of the Loop surface on triangles
-//! that are regular, have one extraordinary corner, or several, or one on a crease, near and far from that corner?
+//! that are regular, have one extraordinary corner, or several, or one on a crease, near and far from that corner? And what
+//! to know in advance how far it is, of a mesh whose vertices are regular, or none?
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use vvmesh::limit::{AnyLimit, ButterflyLimit, Limit, LimitSurface, LoopLimit, ModifiedButterflyLimit, Sqrt3Limit};
 use vvmesh::mesh::VertexClass;
+use vvmesh::predict::{DistanceBound, Estimate};
 use vvmesh::scheme::LoopWeights;
 use vvmesh::{Edge, Mesh, Triangle, VertexId, shapes};
 
@@ -69,5 +71,22 @@ fn points(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, vertices, points);
+fn foretold(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("predict");
+    let regular = shapes::torus(100, 100, 2.0, 1.0);
+    // Every vertex a corner, each of which is followed.
+    let mut irregular = regular.clone();
+    regular.vertices().for_each(|v| assert!(irregular.set_corner(v, true)));
+    group.sample_size(20).throughput(Throughput::Elements(regular.vertex_count() as u64));
+    for (name, mesh) in [("regular", &regular), ("irregular", &irregular)] {
+        group.bench_function(BenchmarkId::new("estimate", name), |bencher| {
+            bencher.iter(|| Estimate::new(mesh, LoopWeights::Loop));
+        });
+        group.bench_function(BenchmarkId::new("bound", name), |bencher| {
+            bencher.iter(|| DistanceBound::new(mesh, LoopWeights::Loop));
+        });
+    }
+}
+
+criterion_group!(benches, vertices, points, foretold);
 criterion_main!(benches);

@@ -53,11 +53,18 @@ const ROUNDING: f64 = 1.0 / (1_u64 << 45) as f64;
 /// g' ≤ max((1/4) max(g, s), t + g/8),
 ///
 /// and the step to the next level is no longer than max(m, g/4 + max(g, s)/8), as of six differences at a regular vertex
-/// at most two are at irregular ones; only in the input may there be more, and its first step is known as it is. The sum
-/// over the levels that are followed is formed in numbers. For the rest, let p be the greatest s + 3|d| at one irregular
-/// vertex. It shrinks to 4/5 or less: by the table s' ≤ 5/8 s + |d|, and |d'| is at most λ|d| with λ ≤ 25/64, |d|/4 or, at a
-/// dart, 0.27|d| + 3/64 s for all n and both weights. With g' ≤ g/4 + p/3 all that follows is at most
-/// 3/8 Σ (g + p) ≤ g/2 + 3p.
+/// at most two are at irregular ones; only in the input may there be more, and its first step is known as it is.
+///
+/// Now follow a point. In a regular triangle, with three regular corners, it stays in such, and from level j on moves by no more than
+/// g/4 + max(g, s)/8, and then by 3/8 of a quarter of max(g, s) for each step, falling by quarters: together (g + max(g, s))/4.
+/// In a triangle with an irregular corner, of which there is one after the first step, it either leaves to a regular one, or
+/// it is in the part at the corner. There the step is linear, d at the corner and D/8 at the other two ends; and if it leaves i
+/// steps later, it is not farther from the corner than 2¹⁻ⁱ of that part. So it moves by at most m + 2¹⁻ⁱ s/8. The bound is the
+/// greatest sum over all levels at which a point can leave.
+///
+/// After the levels that are followed, let p be the greatest s + 3|d| at one irregular vertex. It shrinks to 4/5 or less: by
+/// the table s' ≤ 5/8 s + |d|, and |d'| is at most λ|d| with λ ≤ 25/64, |d|/4 or, at a dart, 0.27|d| + 3/64 s for all n and
+/// both weights. With g' ≤ g/4 + p/3 all that follows is at most 3/8 Σ (g + p) ≤ g/2 + 3p.
 ///
 /// On a regular mesh without sharp edges this is 4⁻ᵏ g/2, which is reached where all differences are equal. At an irregular
 /// vertex it shrinks at the rate at which the mesh slides towards it, 3/8 + cos(2π/n)/4 for a smooth one.
@@ -95,7 +102,7 @@ impl DistanceBound {
         });
         let greatest = shares.into_iter().fold(Greatest::default(), Greatest::or);
         let coordinate = mesh.positions().iter().map(|x| x.abs().max_element()).fold(0.0, f64::max);
-        Ok(Self { bounds: greatest.bounds(ROUNDING * coordinate) })
+        Ok(Self { bounds: greatest.bounds().map(|bound| bound + ROUNDING * coordinate) })
     }
 
     /// The bound of the distance at a depth. From 40 on that for 40 is given, which holds for all of them.
@@ -180,20 +187,32 @@ impl Greatest {
         self
     }
 
-    /// The bounds by depth.
-    fn bounds(&self, rounding: f64) -> [f64; LEVELS + 1] {
+    /// The bounds by depth, but for rounding.
+    fn bounds(&self) -> [f64; LEVELS + 1] {
         let mut regular = self.difference;
-        let steps = self.levels.map(|Irregular { difference, opposite, motion }| {
+        let mut steps = [0.0; LEVELS];
+        // How far away a regular triangle of the level is; after the last level, any.
+        let mut rests = [0.0; LEVELS + 1];
+        for (level, &Irregular { difference, opposite, motion }) in self.levels.iter().enumerate() {
             let all = regular.max(difference);
-            let step = motion.max(0.25 * regular + 0.125 * all);
+            steps[level] = motion.max(0.25 * regular + 0.125 * all);
+            rests[level] = 0.25 * (regular + all);
             regular = (0.25 * all).max(opposite + 0.125 * regular);
-            step
-        });
-        let mut bounds = [0.5 * regular + 3.0 * self.rest + rounding; LEVELS + 1];
-        for level in (0..LEVELS).rev() {
-            let step = if level == 0 { self.first_step } else { steps[level] };
-            bounds[level] = bounds[level + 1] + step;
         }
+        rests[LEVELS] = 0.5 * regular + 3.0 * self.rest;
+        let mut bounds = rests;
+        // A point that leaves the irregular triangles by the step from level `last`, or stays for ever.
+        for last in 0..=LEVELS {
+            let mut distance = steps.get(last).map_or(rests[LEVELS], |step| step + rests[last + 1]);
+            bounds[last] = bounds[last].max(distance);
+            let mut share = 0.125;
+            for level in (0..last).rev() {
+                distance += self.levels[level].motion + share * self.levels[level].difference;
+                bounds[level] = bounds[level].max(distance);
+                share /= 2.0;
+            }
+        }
+        bounds[0] = self.first_step + bounds[1];
         bounds
     }
 }
