@@ -1,7 +1,5 @@
 //! Meshes of every kind that a limit surface can have.
 
-#![allow(dead_code, reason = "not every test file uses all of it")]
-
 use std::f64::consts::{PI, TAU};
 
 use vvmesh::glam::{DVec2, DVec3};

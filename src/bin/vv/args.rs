@@ -264,10 +264,9 @@ Example:
 
 Accuracy is the distance between a point of the mesh and the point of the limit surface with the
 same parameters. The estimate goes by the distances of the vertices and is a rule of thumb, too
-small at times; the depth that is called proven is never too small. Both hold on boundaries,
-creases, darts and corners as the options below make them; a finite sharpness is refused.
-JSON has the measured distance at the proven depth, and lists of how many vertices and faces reach
-the accuracy at depth 0, 1 and so on.")]
+small at times; the depth that is called proven is never too small. Boundaries, creases, darts and
+corners are part of both; a finite sharpness is refused. JSON has the measured distance at the
+proven depth, and lists of how many vertices and faces reach the accuracy at depth 0, 1 and so on.")]
 pub(crate) struct PredictArguments {
     /// The mesh, OBJ or OFF
     #[arg(value_name = "MESH")]
