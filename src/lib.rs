@@ -46,11 +46,12 @@
 //! # Ok::<(), vvmesh::error::Error>(())
 //! ```
 //!
-//! Then: [`query`] (stars, disks, areas, angles, normals), [`graph`] (petgraph's algorithms on the rings), [`limit`] (where
-//! infinitely many steps lead, at vertices and between them), [`predict`] (how many steps and faces an accuracy takes),
-//! `matrix` (refinement as a sparse matrix), [`attributes`] (colours, texture coordinates and labels that ride along), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and
-//! transactions), [`soup`] (faces that are no mesh yet), [`Mesh::reordered`] (other numbers, for a mesh whose neighbours lie
-//! far apart in memory).
+//! Then: [`query`] (stars, disks, areas, angles, normals), [`graph`] (petgraph's algorithms on the rings), [`limit`]
+//! (where infinitely many steps lead, at vertices and between them), [`predict`] (how many steps and faces an accuracy
+//! takes), `matrix` (refinement as a sparse matrix), [`attributes`] (colours, texture coordinates and labels that ride
+//! along), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and transactions), [`soup`]
+//! (faces that are no mesh yet), [`Mesh::reordered`] (other numbers, for a mesh whose neighbours lie far apart in
+//! memory).
 //!
 //! # Features
 //!

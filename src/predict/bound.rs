@@ -39,35 +39,37 @@ const ROUNDING: f64 = 1.0 / (1_u64 << 45) as f64;
 /// | a smooth vertex or a dart | d' = (1/2 − nα) d + α/8 Σ Dᵢ |
 /// | a crease vertex, a corner | d' = d/4 |
 ///
-/// So the numbers at a vertex follow from those at the vertex. Let v be **regular**. If it is smooth, its six differences
-/// have no first Fourier mode, since they vanish on linear functions: d is their sum over 16, Dᵢ' = 3/16 Dᵢ + 1/16 Dᵢ₊₃, and for
-/// a and b at places i and i + 1, D' = D_ab/8 + (Dᵢ₋₁ + Dᵢ₊₂)/16. If a crease leaves three triangles on each side, a side has
-/// two differences, 8d is their sum, Dᵢ' = Dᵢ/4, and D' is D_ab/8 with an eighth of one of the two or of none. In short: no
-/// difference of M' at or opposite to a regular vertex exceeds 1/4 of the greatest at its triangles, and d is at most 3/8 of
-/// the greatest at the vertex.
+/// So the numbers at a vertex follow from those at the vertex. Let v be **regular**. If it is smooth, its six
+/// differences have no first Fourier mode, since they vanish on linear functions: d is their sum over 16, Dᵢ' = 3/16 Dᵢ
+/// + 1/16 Dᵢ₊₃, and for a and b at places i and i + 1, D' = D_ab/8 + (Dᵢ₋₁ + Dᵢ₊₂)/16. If a crease leaves three
+/// triangles on each side, a side has two differences, 8d is their sum, Dᵢ' = Dᵢ/4, and D' is D_ab/8 with an eighth of
+/// one of the two or of none. In short: no difference of M' at or opposite to a regular vertex exceeds 1/4 of the
+/// greatest at its triangles, and d is at most 3/8 of the greatest at the vertex.
 ///
-/// All new vertices are regular. The **irregular** ones of the input, whose differences shrink more slowly or faster, are
-/// followed one by one, in O(valence) a level. Let s be the greatest difference at one of them, t the greatest
-/// |d − (D_va + D_vb)/8|, m the greatest |d|, and g the greatest difference of all other edges. Then
+/// All new vertices are regular. The **irregular** ones of the input, whose differences shrink more slowly or faster,
+/// are followed one by one, in O(valence) a level. Let s be the greatest difference at one of them, t the greatest |d −
+/// (D_va + D_vb)/8|, m the greatest |d|, and g the greatest difference of all other edges, in the input of all. Then
 ///
 /// g' ≤ max((1/4) max(g, s), t + g/8),
 ///
-/// and the step to the next level is no longer than max(m, g/4 + max(g, s)/8), as of six differences at a regular vertex
-/// at most two are at irregular ones; only in the input may there be more, and its first step is known as it is.
+/// and the step to the next level is no longer than max(m, g/4 + max(g, s)/8), as of six differences at a regular
+/// vertex at most two are at irregular ones; only in the input may there be more, and its first step is known as it is.
 ///
-/// Now follow a point. In a regular triangle, with three regular corners, it stays in such, and from level j on moves by no more than
-/// g/4 + max(g, s)/8, and then by 3/8 of a quarter of max(g, s) for each step, falling by quarters: together (g + max(g, s))/4.
-/// In a triangle with an irregular corner, of which there is one after the first step, it either leaves to a regular one, or
-/// it is in the part at the corner. There the step is linear, d at the corner and D/8 at the other two ends; and if it leaves i
-/// steps later, it is not farther from the corner than 2¹⁻ⁱ of that part. So it moves by at most m + 2¹⁻ⁱ s/8. The bound is the
-/// greatest sum over all levels at which a point can leave.
+/// Now follow a point. In a *regular triangle*, with three regular corners, it stays in such ones. It moves by no more
+/// than g/4 + max(g, s)/8 in the next step and 3/8 of the differences in each one after, which fall by quarters:
+/// together (g + max(g, s))/4. In a triangle with an irregular corner, of which there is one after the first step, it
+/// either leaves to a regular triangle, or it is in the part at the corner. There the step is linear, d at the corner
+/// and D/8 at the other two ends; and a point that leaves i steps later is not farther from the corner than 2¹⁻ⁱ of
+/// that part. So it moves by at most m + 2¹⁻ⁱ s/8. The bound is the greatest sum over all levels at which a point can
+/// leave.
 ///
-/// After the levels that are followed, let p be the greatest s + 3|d| at one irregular vertex. It shrinks to 4/5 or less: by
-/// the table s' ≤ 5/8 s + |d|, and |d'| is at most λ|d| with λ ≤ 25/64, |d|/4 or, at a dart, 0.27|d| + 3/64 s for all n and
-/// both weights. With g' ≤ g/4 + p/3 all that follows is at most 3/8 Σ (g + p) ≤ g/2 + 3p.
+/// After the levels that are followed, let p be the greatest s + 3|d| at one irregular vertex. It shrinks to 4/5 or
+/// less: by the table s' ≤ 5/8 s + |d|, and |d'| is at most λ|d| with λ ≤ 25/64, |d|/4 or, at a dart, 0.27|d| + 3/64 s
+/// for all n and both weights. With g' ≤ g/4 + p/3 all that follows is at most 3/8 Σ (g + p) ≤ g/2 + 3p.
 ///
-/// On a regular mesh without sharp edges this is 4⁻ᵏ g/2, which is reached where all differences are equal. At an irregular
-/// vertex it shrinks at the rate at which the mesh slides towards it, 3/8 + cos(2π/n)/4 for a smooth one.
+/// On a regular mesh without sharp edges this is 4⁻ᵏ g/2, which is reached where all differences are equal. At an
+/// irregular vertex it shrinks at the rate at which the mesh slides towards it, 3/8 + cos(2π/n)/4 for a smooth one of 4
+/// neighbours or more.
 ///
 /// ```
 /// use vvmesh::predict::DistanceBound;

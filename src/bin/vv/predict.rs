@@ -107,7 +107,8 @@ impl Foretold<'_> {
         let adaptive_bound = estimate.adaptive_bound(accuracy).ok_or_else(too_fine)?;
         let Some(proven) = bound.depth(accuracy) else {
             return refuse(format!(
-                "--accuracy {:e} cannot be proven for any depth: numbers of this size are rounded by more; the finest is {:e}",
+                "--accuracy {:e} cannot be proven for any depth: numbers of this size are rounded by more; \
+                 the finest is {:e}",
                 accuracy.distance(),
                 bound.at(u32::MAX)
             ));
