@@ -40,8 +40,8 @@ const ROUNDING: f64 = 1.0 / (1_u64 << 45) as f64;
 /// | a crease vertex, a corner | d' = d/4 |
 ///
 /// So the numbers at a vertex follow from those at the vertex. Let v be **regular**. If it is smooth, its six
-/// differences have no first Fourier mode, since they vanish on linear functions: d is their sum over 16, Dᵢ' = 3/16 Dᵢ
-/// + 1/16 Dᵢ₊₃, and for a and b at places i and i + 1, D' = D_ab/8 + (Dᵢ₋₁ + Dᵢ₊₂)/16. If a crease leaves three
+/// differences have no first Fourier mode, since they vanish on linear functions: d is their sum over 16, Dᵢ' =
+/// 3/16 Dᵢ + 1/16 Dᵢ₊₃, and for a and b at places i and i + 1, D' = D_ab/8 + (Dᵢ₋₁ + Dᵢ₊₂)/16. If a crease leaves three
 /// triangles on each side, a side has two differences, 8d is their sum, Dᵢ' = Dᵢ/4, and D' is D_ab/8 with an eighth of
 /// one of the two or of none. In short: no difference of M' at or opposite to a regular vertex exceeds 1/4 of the
 /// greatest at its triangles, and d is at most 3/8 of the greatest at the vertex.
