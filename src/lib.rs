@@ -124,6 +124,10 @@
 //!
 #![doc = include_str!("../docs/closing.svg")]
 //!
+//! **Hanging vertex**: one on the inside of an edge of a face, of which it is no corner.
+//!
+//! **Mobile, static vertex**: under static/mobile subdivision, one that moves in this step; one that stays for ever.
+//!
 //! **Even, odd triangle, mate**: under √3, one that is whole at its level; a part of a triangle around or beside a new vertex,
 //! with a single youngest corner; the edge opposite to that, which is turned when the triangle across it is split too.
 //!

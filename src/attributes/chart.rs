@@ -176,9 +176,12 @@ impl Chart {
             for parent in plan.parents(around) {
                 mask.clear();
                 let is_inside = parent.left.is_some() && parent.right.is_some();
-                match seams {
-                    Seams::Linear if !is_inside => Midpoint.odd(around, &parent, &mut mask),
-                    _ => scheme.odd(around, &parent, &mut mask),
+                let is_blended = (seams == Seams::Scheme || is_inside)
+                    && splits.are_blended([parent.p, parent.q].map(|end| self.base(end)));
+                if is_blended {
+                    scheme.odd(around, &parent, &mut mask);
+                } else {
+                    Midpoint.odd(around, &parent, &mut mask);
                 }
                 channel.push(channel.odd(&mask, &[parent.p, parent.q], SplitKind::Quadrisect));
             }

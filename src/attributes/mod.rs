@@ -234,8 +234,8 @@ impl Attributes {
             return Err(RefineError::Unfollowed { asked: kind.name() });
         }
         self.corner.iter_mut().for_each(|channel| channel.chart.take_tags(mesh));
-        let mut watch =
-            Watch { channels: &mut self.vertex, splits: Splits::default(), kind, also: control.follower.take() };
+        let splits = Splits { some_stay: subdivider.is_mobile(), ..Splits::default() };
+        let mut watch = Watch { channels: &mut self.vertex, splits, kind, also: control.follower.take() };
         let mut watched = Control {
             max_faces: control.max_faces,
             progress: control.progress.as_mut().map(|progress| &mut **progress as _),
@@ -286,11 +286,18 @@ struct Splits {
     first: usize,
     /// The ends of the edges on which new vertices were made, the older first, in the order of those.
     parents: Vec<[VertexId; 2]>,
-    /// The old vertices that were moved.
+    /// The old vertices that were moved, ascending.
     moved: Vec<VertexId>,
+    /// Whether new vertices between two that were not moved are midpoints.
+    some_stay: bool,
 }
 
 impl Splits {
+    /// Whether the scheme makes the vertex between these, and not just their midpoint.
+    fn are_blended(&self, ends: [VertexId; 2]) -> bool {
+        !self.some_stay || ends.iter().any(|end| self.moved.binary_search(end).is_ok())
+    }
+
     /// The new vertices with the ends of their edges.
     fn made(&self) -> impl Iterator<Item = (VertexId, [VertexId; 2])> {
         (self.first..).map(VertexId::new).zip(self.parents.iter().copied())

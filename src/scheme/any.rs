@@ -36,6 +36,19 @@ macro_rules! with_scheme {
 pub(crate) use with_scheme;
 
 impl AnyScheme {
+    /// The word for it.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Loop(_) => "loop",
+            Self::Butterfly(_) => "butterfly",
+            Self::ModifiedButterfly(_) => "modified-butterfly",
+            Self::Midpoint(_) => "midpoint",
+            Self::Sqrt3(_) => "sqrt3",
+            Self::FourEight(_) => "four-eight",
+        }
+    }
+
     /// How its steps cut triangles.
     #[must_use]
     pub fn split_kind(&self) -> SplitKind {

@@ -254,6 +254,7 @@ impl<'a> Plan<'a> {
                 let [_, a, b] = self.face(v, slot);
                 let inside = |w: VertexId| self.place_of(w).is_some_and(|place| place < self.region);
                 let is_split = match region.kind() {
+                    RegionKind::Stars(_) => unreachable!("only the split in four is made around vertices"),
                     RegionKind::Everything => true,
                     RegionKind::Induced(_) => inside(a) && inside(b),
                     RegionKind::Edges(edges) => {

@@ -11,6 +11,7 @@ use super::Quad;
 use super::peers::Peers;
 use crate::id::{Edge, VertexId};
 use crate::mesh::Neighborhood;
+use crate::query::expand;
 use crate::rotation::{Hubs, RingBuf, RotationSystem};
 use crate::scratch::Scratch;
 use crate::step::{History, Parent, Region, RegionKind};
@@ -97,6 +98,16 @@ pub(crate) fn plan(
             planner.split_between(vertices, |v| marks.is_set(v));
         }
         RegionKind::Edges(edges) => planner.split_listed(edges),
+        RegionKind::Stars(centers) => {
+            let mut near = scratch.take_list();
+            near.extend_from_slice(centers);
+            expand(rotation, &mut near, 1, scratch);
+            near.sort_unstable();
+            planner.plan.hubs = Hubs::among(rotation, near.iter().copied());
+            let marks = scratch.marked(rotation.vertex_count(), centers);
+            planner.split_around(&near, |v| marks.is_set(v));
+            scratch.give_list(near);
+        }
     }
 }
 
@@ -114,6 +125,19 @@ impl Planner<'_> {
         for &v in vertices {
             for (slot, &w) in self.rotation.neighbors(v).iter().enumerate() {
                 if v < w && inside(w) {
+                    self.split(v, slot);
+                }
+            }
+        }
+    }
+
+    /// Splits all edges of the faces that have a corner among the `centers`; `near` are all vertices of these.
+    fn split_around(&mut self, near: &[VertexId], is_center: impl Fn(VertexId) -> bool) {
+        for &v in near {
+            let ring = self.rotation.ring(v);
+            for (slot, &w) in ring.neighbors().iter().enumerate() {
+                let is_beside = || ring.corners_at(slot).into_iter().flatten().any(&is_center);
+                if v < w && (is_center(v) || is_center(w) || is_beside()) {
                     self.split(v, slot);
                 }
             }

@@ -3,10 +3,11 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::{Bisections, Exactness, Lineage, Motions, SplitKind};
+use super::{Bisections, Exactness, Lineage, Mobility, Motions, SplitKind};
 use crate::error::RefineError;
 use crate::id::{Edge, Triangle, VertexId};
 use crate::mesh::Mesh;
+use crate::soup::FaceList;
 
 /// What a [`History`] keeps beyond the bare minimum.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -39,6 +40,8 @@ pub struct History {
     motions: Option<Motions>,
     /// From the first bisection on.
     bisections: Option<Box<Bisections>>,
+    /// From the first step of static/mobile subdivision on.
+    mobility: Option<Box<Mobility>>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -108,6 +111,7 @@ impl History {
             exactness: keep.certificate.then(Exactness::new),
             motions: None,
             bisections: None,
+            mobility: None,
         }
     }
 
@@ -125,6 +129,7 @@ impl History {
             exactness: None,
             motions: None,
             bisections: None,
+            mobility: None,
         }
     }
 
@@ -292,6 +297,32 @@ impl History {
         self.bisections.get_or_insert_default()
     }
 
+    /// The faces that static/mobile subdivision made, before cracks were closed: those that stay for ever in the order in
+    /// which they were found to, then those that the last step made. A vertex may lie on the inside of an edge of the former.
+    /// `None` unless that made the last step. O(vertices + faces).
+    #[must_use]
+    pub fn unclosed(&self, mesh: &Mesh) -> Option<FaceList> {
+        let corners = |triangle: Triangle| triangle.corners().map(|v| v.index() as u32);
+        let faces = self.mobility()?.faces(mesh.rotation()).map(corners).collect();
+        Some(FaceList::of_triangles(mesh.positions().to_vec(), faces))
+    }
+
+    /// What static/mobile subdivision left behind, if it made the last step.
+    pub(crate) fn mobility(&self) -> Option<&Mobility> {
+        self.mobility.as_deref().filter(|mobility| mobility.step == self.step_count())
+    }
+
+    /// After a step of static/mobile subdivision: the faces that it did not split any more, and who may still move.
+    pub(crate) fn settle(&mut self, settled: Vec<Triangle>, candidates: Vec<VertexId>) {
+        let step = self.step_count();
+        // What other steps went before is out of date.
+        let mut mobility = self.mobility.take().filter(|mobility| mobility.step + 1 == step).unwrap_or_default();
+        mobility.settled.extend(settled);
+        mobility.step = step;
+        mobility.candidates = candidates;
+        self.mobility = Some(mobility);
+    }
+
     /// The level of the vertex that splits this edge.
     pub(crate) fn child_level(&self, [p, q]: [VertexId; 2]) -> Result<u8, RefineError> {
         let level = |v| self.level(v).unwrap_or(0);
@@ -339,5 +370,6 @@ impl History {
             + self.exactness.as_ref().map_or(0, Exactness::memory_bytes)
             + self.motions.as_ref().map_or(0, Motions::memory_bytes)
             + self.bisections.as_ref().map_or(0, |bisections| bisections.memory_bytes())
+            + self.mobility.as_ref().map_or(0, |mobility| mobility.memory_bytes())
     }
 }

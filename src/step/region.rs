@@ -21,6 +21,8 @@ pub(crate) enum RegionKind {
     Induced(Vec<VertexId>),
     /// Some edges, ascending, and their ends.
     Edges(Vec<Edge>),
+    /// Some vertices, ascending, and all edges of the faces around them.
+    Stars(Vec<VertexId>),
 }
 
 impl Region {
@@ -51,6 +53,12 @@ impl Region {
         Self { kind: RegionKind::Edges(edges) }
     }
 
+    /// These vertices, which come ascending, and every edge of a face with one of them as a corner. Only for the split in four.
+    pub(crate) fn stars(vertices: Vec<VertexId>) -> Self {
+        debug_assert!(vertices.is_sorted_by(|a, b| a < b));
+        Self { kind: RegionKind::Stars(vertices) }
+    }
+
     pub(crate) fn is_everything(&self) -> bool {
         self.kind == RegionKind::Everything
     }
@@ -59,7 +67,7 @@ impl Region {
     pub(crate) fn vertices(&self, vertex_count: usize) -> Cow<'_, [VertexId]> {
         match &self.kind {
             RegionKind::Everything => (0..vertex_count).map(VertexId::new).collect(),
-            RegionKind::Induced(vertices) => Cow::Borrowed(vertices),
+            RegionKind::Induced(vertices) | RegionKind::Stars(vertices) => Cow::Borrowed(vertices),
             RegionKind::Edges(edges) => {
                 let mut ends: Vec<VertexId> = edges.iter().flat_map(|edge| edge.ends()).collect();
                 ends.sort_unstable();
@@ -72,7 +80,7 @@ impl Region {
     /// The list of vertices, for its memory.
     pub(crate) fn into_list(self) -> Vec<VertexId> {
         match self.kind {
-            RegionKind::Induced(vertices) => vertices,
+            RegionKind::Induced(vertices) | RegionKind::Stars(vertices) => vertices,
             RegionKind::Everything | RegionKind::Edges(_) => Vec::new(),
         }
     }

@@ -15,18 +15,21 @@
 
 mod bisect;
 mod follow;
+mod mobile;
 mod positions;
 mod quadrisect;
 mod trisect;
 mod values;
 
 pub use follow::{Assignment, Follower, StepMasks, ValueId};
+pub use mobile::MobileStep;
 pub use values::Values;
 
 use std::ops::ControlFlow;
 
+use crate::accuracy::Accuracy;
 use crate::adaptive::AdaptiveMethod;
-use crate::error::RefineError;
+use crate::error::{ConfigError, RefineError};
 use crate::id::VertexId;
 use crate::mesh::Mesh;
 use crate::scheme::{AnyScheme, Scheme};
@@ -34,6 +37,7 @@ use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::Diagonal;
 use crate::step::{History, Region};
+use mobile::Mobile;
 use quadrisect::Quadrisection;
 
 /// How far a step is.
@@ -98,9 +102,17 @@ pub struct Step {
     /// Selected vertices for which this step was not proven exact although the method promises it, because the
     /// selection did not follow the refinement. Empty without a certificate.
     pub unproven: Vec<VertexId>,
+    /// What a step of static/mobile subdivision told apart; `None` of other steps.
+    pub mobile: Option<MobileStep>,
 }
 
 impl Step {
+    /// Whether everything was near enough to its limit for static/mobile subdivision: then mesh and history are as before.
+    #[must_use]
+    pub fn did_nothing(&self) -> bool {
+        self.mobile.is_some_and(|counts| counts.mobile_vertices == 0)
+    }
+
     /// Gives the memory of the lists back, for the steps that follow.
     ///
     /// A run of steps of like size that does so, and passes the same `scratch` to every step, allocates nothing but for a
@@ -144,15 +156,63 @@ struct Request<'a, 'c> {
 #[derive(Debug)]
 pub struct Subdivider {
     scheme: AnyScheme,
-    method: Box<dyn AdaptiveMethod>,
+    method: Method,
     diagonal: Diagonal,
+}
+
+/// What chooses the region of a step.
+#[derive(Debug)]
+enum Method {
+    /// A look at the mesh and the selection; goes with every scheme.
+    Region(Box<dyn AdaptiveMethod>),
+    Mobile(Mobile),
 }
 
 impl Subdivider {
     /// A scheme with a method.
     #[must_use]
     pub fn new(scheme: impl Into<AnyScheme>, method: impl AdaptiveMethod + 'static) -> Self {
-        Self { scheme: scheme.into(), method: Box::new(method), diagonal: Diagonal::default() }
+        Self { scheme: scheme.into(), method: Method::Region(Box::new(method)), diagonal: Diagonal::default() }
+    }
+
+    /// Static/mobile subdivision: of the selected vertices those move that are farther from their limit than asked for, and the
+    /// faces at them are split; all else stays, for ever. When nothing moves any more, a [step does
+    /// nothing](Step::did_nothing).
+    ///
+    /// The mesh is closed as by other methods. Without its closing edges it is [`History::unclosed`]. A step of another method
+    /// in between makes all vertices of the mesh that it leaves mobile again.
+    ///
+    /// ```
+    /// use vvmesh::scheme::Loop;
+    /// use vvmesh::scratch::Scratch;
+    /// use vvmesh::select::Selection;
+    /// use vvmesh::step::{History, Keep};
+    /// use vvmesh::subdivide::{Control, Subdivider};
+    /// use vvmesh::{Accuracy, shapes};
+    ///
+    /// let mut mesh = shapes::torus(9, 6, 2.0, 0.7);
+    /// let (mut history, mut scratch) = (History::new(&mesh, Keep::default()), Scratch::new());
+    /// let mut selection = Selection::all(mesh.vertex_count());
+    /// let subdivider = Subdivider::mobile(Loop::default(), Accuracy::new(0.04)?)?;
+    /// loop {
+    ///     let step = subdivider.step(&mut mesh, &mut history, &selection, &mut scratch, &mut Control::default())?;
+    ///     if step.did_nothing() {
+    ///         break;
+    ///     }
+    ///     selection = step.selection;
+    /// }
+    /// let unclosed = history.unclosed(&mesh).expect("a step was made");
+    /// assert_eq!((history.step_count(), unclosed.face_count()), (2, 1152));
+    /// assert!(mesh.face_count() > unclosed.face_count());
+    /// # Ok::<(), vvmesh::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Under a scheme other than [`Loop`](crate::scheme::Loop), with the reason.
+    pub fn mobile(scheme: impl Into<AnyScheme>, accuracy: Accuracy) -> Result<Self, ConfigError> {
+        let scheme = scheme.into();
+        let method = Method::Mobile(Mobile::new(&scheme, accuracy)?);
+        Ok(Self { scheme, method, diagonal: Diagonal::default() })
     }
 
     /// The same with another choice of diagonals in faces with two split edges.
@@ -197,14 +257,18 @@ impl Subdivider {
         if mesh.tags().has_semi_sharp() && self.scheme.reads_tags() && !self.scheme.blends_sharpness() {
             return Err(RefineError::SemiSharp);
         }
-        let region = self.method.region(mesh, selection, scratch);
+        let region = match &self.method {
+            Method::Region(method) => method.region(mesh, selection, scratch),
+            Method::Mobile(method) => method.region(mesh, history, selection),
+        };
         let request = Request { mesh, history, selection, region: &region, scratch: &mut *scratch, control };
         let step = match &self.scheme {
+            AnyScheme::Loop(scheme) if self.is_mobile() => mobile::step(scheme, self.diagonal, request),
             AnyScheme::Loop(scheme) => self.quadrisection(scheme).step(request),
             AnyScheme::Butterfly(scheme) => self.quadrisection(scheme).step(request),
             AnyScheme::ModifiedButterfly(scheme) => self.quadrisection(scheme).step(request),
             AnyScheme::Midpoint(scheme) => self.quadrisection(scheme).step(request),
-            AnyScheme::Sqrt3(scheme) => trisect::step(scheme, self.method.promises_exactness(), request),
+            AnyScheme::Sqrt3(scheme) => trisect::step(scheme, self.promises_exactness(), request),
             AnyScheme::FourEight(scheme) => bisect::step(scheme, request),
         };
         scratch.give_list(region.into_list());
@@ -212,6 +276,18 @@ impl Subdivider {
     }
 
     fn quadrisection<'a, S: Scheme + Sync>(&self, scheme: &'a S) -> Quadrisection<'a, S> {
-        Quadrisection { scheme, exact: self.method.promises_exactness(), diagonal: self.diagonal }
+        Quadrisection { scheme, exact: self.promises_exactness(), diagonal: self.diagonal }
+    }
+
+    /// Whether it moves some vertices of a region and leaves the others where they are, for ever.
+    pub(crate) fn is_mobile(&self) -> bool {
+        matches!(self.method, Method::Mobile(_))
+    }
+
+    fn promises_exactness(&self) -> bool {
+        match &self.method {
+            Method::Region(method) => method.promises_exactness(),
+            Method::Mobile(_) => false,
+        }
     }
 }

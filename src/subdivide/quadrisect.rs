@@ -143,6 +143,7 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
             o_vertices: std::mem::replace(&mut closing.o_vertices, scratch.take_list()),
             certified,
             unproven: Vec::new(),
+            mobile: None,
         })
     }
 }

@@ -71,6 +71,7 @@ fn triangles(
 ) -> Vec<Triangle> {
     let of = |v: &VertexId| rotation.triangles_of_smallest(*v);
     match region.kind() {
+        RegionKind::Stars(_) => unreachable!("only the split in four is made around vertices"),
         RegionKind::Everything => rotation.triangles().collect(),
         RegionKind::Induced(_) => {
             let marks = scratch.marked(rotation.vertex_count(), vertices);
