@@ -137,6 +137,10 @@ pub(crate) struct SubdivideArguments {
     pub(crate) output: PathBuf,
     #[command(flatten)]
     pub(crate) refine: RefineArguments,
+    /// Close the cracks that `mobile` leaves; without it faces are written with vertices on the inside of their edges, as
+    /// they were made, and without what the file says of them
+    #[arg(long)]
+    pub(crate) close: bool,
     /// New texture coordinates: by the scheme, with its boundary rule at seams; the same with straight seams; or half way
     /// between the old ones [default: scheme]
     #[arg(long)]
@@ -193,12 +197,17 @@ pub(crate) struct RefineArguments {
     /// Which weights make the new positions; `sqrt3` also splits triangles in its own way, in three instead of four
     #[arg(long)]
     pub(crate) scheme: SchemeName,
-    /// How many steps; 0 copies the mesh
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    pub(crate) levels: u8,
-    /// What each step refines: everything, the selection, or the selection with the rings around it
+    /// How many steps; 0 copies the mesh. With `mobile` as many as it takes, but no more than this if it is given
+    #[arg(long, value_name = "N", allow_negative_numbers = true, required_unless_present = "accuracy")]
+    pub(crate) levels: Option<u8>,
+    /// What each step refines: everything; the selection; the selection with the rings around it; or of the selection what
+    /// is farther from its limit than --accuracy, under `loop`
     #[arg(long)]
     pub(crate) method: MethodName,
+    /// How near to its limit `mobile` brings a vertex before it stays for ever
+    #[arg(long, value_name = "EPS", value_parser = accuracy, allow_negative_numbers = true)]
+    #[arg(required_if_eq("method", "mobile"))]
+    pub(crate) accuracy: Option<Accuracy>,
     /// By how many rings `incremental` expands the selection [default: 1]
     #[arg(long, value_name = "R", allow_negative_numbers = true)]
     pub(crate) rings: Option<usize>,
@@ -343,6 +352,7 @@ pub(crate) enum MethodName {
     Uniform,
     Simple,
     Incremental,
+    Mobile,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
@@ -395,6 +405,20 @@ pub(crate) fn loop_weights(name: Option<WeightsName>) -> LoopWeights {
     match name {
         None | Some(WeightsName::Loop) => LoopWeights::Loop,
         Some(WeightsName::Warren) => LoopWeights::Warren,
+    }
+}
+
+impl SubdivideArguments {
+    /// Whether faces are written before cracks between them are closed.
+    pub(crate) fn is_unclosed(&self) -> bool {
+        self.refine.method == MethodName::Mobile && !self.close
+    }
+}
+
+impl RefineArguments {
+    /// How many steps are made at most.
+    pub(crate) fn levels(&self) -> u8 {
+        self.levels.unwrap_or(u8::MAX)
     }
 }
 

@@ -10,7 +10,7 @@ use vvmesh::soup::FaceList;
 use vvmesh::step::SplitKind;
 use vvmesh::{Mesh, Triangle, VertexId};
 
-use crate::args::{ColorsName, NormalsName, SchemeName, SubdivideArguments, TextureName, loop_weights};
+use crate::args::{ColorsName, MethodName, NormalsName, SchemeName, SubdivideArguments, TextureName, loop_weights};
 use crate::console::{Failure, note, refuse};
 use crate::refine;
 use crate::run::Run;
@@ -27,6 +27,16 @@ pub(crate) fn refuse_without_meaning(arguments: &SubdivideArguments) -> Result<(
     if let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given && !is_obj) {
         let output = arguments.output.display();
         return refuse(format!("{option} has no meaning with -o {output}: only OBJ is written with it; leave it out"));
+    }
+    if let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given && arguments.is_unclosed()) {
+        return refuse(format!(
+            "{option} has no meaning with --method mobile without --close: only positions and faces are written; leave it \
+             out"
+        ));
+    }
+    let method = arguments.refine.method;
+    if arguments.close && method != MethodName::Mobile {
+        return refuse(format!("--close has no meaning with --method {method}: it leaves no cracks; leave it out"));
     }
     let scheme = arguments.refine.scheme;
     if arguments.normals == Some(NormalsName::Limit) && scheme != SchemeName::Loop {
@@ -68,6 +78,15 @@ pub(crate) fn to_take_along(
     if Format::from_ending(&arguments.output) != Some(Format::Obj) {
         return Ok(None);
     }
+    if arguments.is_unclosed() {
+        if said.is_some() {
+            note(format_args!(
+                "{path}: only positions and faces are written again: nothing rides along with faces that are not closed, see \
+                 --close"
+            ));
+        }
+        return Ok(None);
+    }
     let nothing = FaceAttributes::default();
     let words = said.as_ref().map_or(&nothing, |(_, said)| said);
     let missing = [
@@ -80,7 +99,7 @@ pub(crate) fn to_take_along(
     }
     let is_cut_in_four = refine::scheme(&arguments.refine).split_kind() == SplitKind::Quadrisect;
     Ok(match said {
-        Some((triangles, said)) if !is_cut_in_four && arguments.refine.levels > 0 => {
+        Some((triangles, said)) if !is_cut_in_four && arguments.refine.levels() > 0 => {
             Some((triangles, without_faces(arguments, said)?))
         }
         None if arguments.normals.is_some() => Some((mesh.to_face_list(), nothing)),
@@ -134,7 +153,7 @@ pub(crate) fn take_along(
     };
     let rules = ObjRules { texture, seams, colors, normals };
     let attributes = ObjAttributes::new(&run.mesh, &run.history, triangles, said, rules)?;
-    if arguments.refine.levels > 0 || arguments.refine.limit {
+    if arguments.refine.levels() > 0 || arguments.refine.limit {
         tell_of_changes(&arguments.refine.mesh, &attributes);
     }
     Ok(attributes)
@@ -180,6 +199,15 @@ pub(crate) struct Finished<'a> {
 impl<'a> Finished<'a> {
     pub(crate) fn new(mesh: &'a Mesh, attributes: Option<ObjAttributes>) -> Self {
         Self { mesh, with: attributes.map(|attributes| attributes.finish(mesh)) }
+    }
+
+    /// Other faces than those of the mesh, with its vertices.
+    pub(crate) fn of_faces(mesh: &'a Mesh, faces: FaceList) -> Self {
+        Self { mesh, with: Some((faces, FaceAttributes::default())) }
+    }
+
+    pub(crate) fn face_count(&self) -> usize {
+        self.with.as_ref().map_or(self.mesh.face_count(), |(faces, _)| faces.face_count())
     }
 
     /// How many normals are written.

@@ -136,7 +136,7 @@ pub(crate) fn of_refinement(arguments: &RefineArguments) -> Result<AnyLimit, &'s
 /// Refuses a refined mesh the limit of which is not known yet; the refusal begins with `option`.
 pub(crate) fn refuse_unready(option: &str, mesh: &Mesh, arguments: &RefineArguments) -> Result<(), Failure> {
     if arguments.scheme == SchemeName::Sqrt3
-        && arguments.levels % 2 == 1
+        && arguments.levels() % 2 == 1
         && mesh.vertices().any(|v| mesh.is_boundary(v))
     {
         return refuse(format!(

@@ -65,7 +65,7 @@ pub(crate) fn begin(
             SplitKind::Trisect => 3,
             SplitKind::Bisect => 2,
         };
-        limit.refuse_uniform(mesh.face_count(), parts, arguments.levels)?;
+        limit.refuse_uniform(mesh.face_count(), parts, arguments.levels())?;
     }
     let mut run = Run::new(mesh, subdivider, keep);
     selecting.select(&mut run)?;
@@ -82,7 +82,7 @@ pub(crate) fn refine(
     bar: &mut Bar,
 ) -> Result<(), Failure> {
     let reach = scheme(arguments).reach();
-    for level in 1..=arguments.levels {
+    for level in 1..=arguments.levels() {
         if selecting.each_level && level > 1 {
             bar.hide();
             selecting.select(run)?;
@@ -105,6 +105,9 @@ pub(crate) fn refine(
                 other => format!("level {level}: {other}. Nothing was written"),
             })
         })?;
+        if step.did_nothing() {
+            break;
+        }
         if level == 1 {
             bar.hide();
             tell_of_unmatched(run);
@@ -176,6 +179,13 @@ fn subdivider(arguments: &RefineArguments, scheme: AnyScheme) -> Result<Subdivid
             Ok(method) => Subdivider::new(scheme, method),
             Err(error) => return refuse(format!("--{error}")),
         },
+        MethodName::Mobile => {
+            let accuracy = arguments.accuracy.expect("without it the arguments are refused");
+            match Subdivider::mobile(scheme, accuracy) {
+                Ok(subdivider) => subdivider,
+                Err(error) => return refuse(format!("--{error}")),
+            }
+        }
     })
 }
 
@@ -195,6 +205,16 @@ fn refuse_without_meaning(arguments: &RefineArguments, scheme: &AnyScheme) -> Re
             format!("--method {method}: only `incremental` expands the selection"),
         ),
         ("--weights", arguments.weights.is_some() && !is_loop, format!("--scheme {name}: its weights are fixed")),
+        (
+            "--accuracy",
+            arguments.accuracy.is_some() && *method != MethodName::Mobile,
+            format!("--method {method}: only `mobile` looks at limits"),
+        ),
+        (
+            "--limit",
+            arguments.limit && *method == MethodName::Mobile,
+            "--method mobile: vertices stay where they are near enough".to_owned(),
+        ),
         (
             "--blocks",
             arguments.blocks.is_some() && *name != SchemeName::FourEight,

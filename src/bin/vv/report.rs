@@ -20,7 +20,19 @@ pub(crate) struct Row {
     pub(crate) max_valence: usize,
     /// `None` if no certificate was kept: in a written report, where triangles are not split in four.
     pub(crate) certified: Option<usize>,
+    /// Only of static/mobile subdivision.
+    #[serde(flatten)]
+    pub(crate) mobile: Option<MobileRow>,
     pub(crate) seconds: f64,
+}
+
+/// What a step of static/mobile subdivision tells beside: the vertices before it that stay, the faces before it by how many
+/// corners move, and the faces after it without those that close cracks. The region are the vertices that move.
+#[derive(Serialize, Clone, Debug)]
+pub(crate) struct MobileRow {
+    pub(crate) static_vertices: usize,
+    pub(crate) faces_by_mobile_corners: [usize; 4],
+    pub(crate) unclosed_faces: usize,
 }
 
 /// Sizes of a mesh.
@@ -58,6 +70,10 @@ pub(crate) struct Report {
     /// `None` for schemes that know no finite sharpness.
     pub(crate) creases: Option<String>,
     pub(crate) limit: bool,
+    /// `None` of methods that do not look at limits.
+    pub(crate) accuracy: Option<f64>,
+    /// Whether cracks were closed, which only *mobile* may leave.
+    pub(crate) closed: bool,
     pub(crate) input: Sizes,
     pub(crate) levels: Vec<Row>,
     pub(crate) totals: Totals,
@@ -65,7 +81,8 @@ pub(crate) struct Report {
 
 /// The steps as a table for people.
 pub(crate) fn table(levels: &[Row]) -> Table {
-    let mut table = Table::new(&[
+    let is_mobile = levels.iter().any(|row| row.mobile.is_some());
+    let mut columns = vec![
         "level",
         "selected",
         "region",
@@ -77,13 +94,21 @@ pub(crate) fn table(levels: &[Row]) -> Table {
         "O",
         "max valence",
         "certified",
-        "time",
-    ]);
+    ];
+    if is_mobile {
+        columns.extend(["static", "faces of 0/1/2/3 mobile corners", "unclosed faces"]);
+    }
+    columns.push("time");
+    let mut table = Table::new(&columns);
     for row in levels {
         let counts = [row.selected, row.region, row.split_edges, row.vertices, row.edges, row.faces];
         let mut cells = vec![row.level.to_string()];
         cells.extend(counts.iter().chain(&[row.t_vertices, row.o_vertices, row.max_valence]).map(usize::to_string));
         cells.push(row.certified.map_or("-".to_owned(), |certified| certified.to_string()));
+        if let Some(MobileRow { static_vertices, faces_by_mobile_corners, unclosed_faces }) = &row.mobile {
+            let by_corners = faces_by_mobile_corners.map(|count| count.to_string()).join("/");
+            cells.extend([static_vertices.to_string(), by_corners, unclosed_faces.to_string()]);
+        }
         cells.push(seconds(row.seconds));
         table.row(&cells);
     }

@@ -11,7 +11,7 @@ use vvmesh::select::Selection;
 use vvmesh::step::{History, Keep};
 use vvmesh::subdivide::{Control, Step, Subdivider};
 
-use crate::report::{Row, Sizes, Totals};
+use crate::report::{MobileRow, Row, Sizes, Totals};
 
 /// What all steps of a run share.
 pub(crate) struct Run {
@@ -42,6 +42,9 @@ impl Run {
             None => subdivider.step(mesh, history, selection, scratch, control)?,
         };
         let seconds = started.elapsed().as_secs_f64();
+        if step.did_nothing() {
+            return Ok(step);
+        }
         let sizes = self.sizes();
         self.levels.push(Row {
             level: self.next_level(),
@@ -55,6 +58,11 @@ impl Run {
             o_vertices: step.o_vertices.len(),
             max_valence: sizes.max_valence,
             certified: step.certified,
+            mobile: step.mobile.map(|counts| MobileRow {
+                static_vertices: counts.static_vertices,
+                faces_by_mobile_corners: counts.faces_by_mobile_corners,
+                unclosed_faces: counts.faces,
+            }),
             seconds,
         });
         self.selection.clone_from(&step.selection);

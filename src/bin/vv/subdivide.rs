@@ -4,6 +4,7 @@ use std::fmt::Display;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use vvmesh::Accuracy;
 use vvmesh::io::write_atomically;
 use vvmesh::step::Keep;
 
@@ -48,13 +49,18 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let report = report(arguments, &run, input, boundary);
     bar.show_stage(format!("writing {}", arguments.output.display()));
     let attributes = run.attributes.take();
-    let written = write(arguments, &run, &Finished::new(&run.mesh, attributes), &report);
+    let unclosed = if arguments.is_unclosed() { run.history.unclosed(&run.mesh) } else { None };
+    let finished = match unclosed {
+        Some(faces) => Finished::of_faces(&run.mesh, faces),
+        None => Finished::new(&run.mesh, attributes),
+    };
+    let written = write(arguments, &run, &finished, &report);
     bar.hide();
     written?;
     if arguments.json {
         print(&json(&report)?)?;
     } else {
-        print(&text(arguments, &report))?;
+        print(&text(arguments, &report, finished.face_count()))?;
     }
     Ok(Outcome::Done)
 }
@@ -103,6 +109,8 @@ fn report(arguments: &SubdivideArguments, run: &Run, input: Sizes, boundary: Bou
         boundary: scheme.reads_tags().then(|| boundary.to_string()),
         creases: scheme.blends_sharpness().then(|| creases.to_string()),
         limit: asked.limit,
+        accuracy: asked.accuracy.map(Accuracy::distance),
+        closed: !arguments.is_unclosed(),
         input,
         levels: run.levels.clone(),
         totals: run.totals(),
@@ -125,12 +133,12 @@ fn write(arguments: &SubdivideArguments, run: &Run, finished: &Finished<'_>, rep
     Ok(())
 }
 
-fn text(arguments: &SubdivideArguments, report: &Report) -> String {
+fn text(arguments: &SubdivideArguments, report: &Report, faces: usize) -> String {
     let SubdivideArguments { vertex_table, face_table, report: report_file, .. } = arguments;
     let mut text = if report.levels.is_empty() { String::new() } else { report::table(&report.levels).to_string() };
     let others = [vertex_table, face_table, report_file].into_iter().flatten().map(PathBuf::as_path);
     let line = |path: &Path, what: &dyn Display| format!("wrote {}{what}\n", path.display());
-    let Sizes { vertices, faces, .. } = report.totals.sizes;
+    let Sizes { vertices, .. } = report.totals.sizes;
     let sizes = format!(": {}, {}", count(vertices, "vertex", "vertices"), count(faces, "face", "faces"));
     text.extend(others.map(|path| line(path, &"")));
     text.push_str(&line(&arguments.output, &sizes));
