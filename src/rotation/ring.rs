@@ -33,6 +33,11 @@ impl RingBuf {
         Self(ring.iter().map(neighbor).chain(gap).collect())
     }
 
+    /// A ring in the given order, if `open` with the gap behind the last.
+    pub(crate) fn collect(neighbors: impl Iterator<Item = VertexId>, open: bool) -> Self {
+        Self(neighbors.chain(open.then_some(VertexId::GAP)).collect())
+    }
+
     /// A closed ring of six, which needs no length to be known.
     #[inline]
     pub(crate) fn regular(neighbors: [VertexId; INLINE]) -> Self {

@@ -11,6 +11,7 @@
 pub(crate) mod bisect;
 mod diagonal;
 pub(crate) mod generation;
+pub(crate) mod hierarchy;
 pub(crate) mod matching;
 mod peers;
 pub(crate) mod quadrisect;

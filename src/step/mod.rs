@@ -8,6 +8,7 @@
 
 mod blocks;
 mod exactness;
+mod hierarchy;
 mod history;
 mod kind;
 mod lineage;
@@ -20,6 +21,7 @@ pub use blocks::Blocks;
 pub(crate) use blocks::{Bisections, InputBlocks};
 pub use exactness::{Cause, Spoiler};
 pub(crate) use exactness::{Exactness, Proof};
+pub(crate) use hierarchy::{Birth, Hierarchy};
 pub use history::{History, Keep};
 pub use kind::SplitKind;
 pub use lineage::Lineage;

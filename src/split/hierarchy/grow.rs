@@ -1,0 +1,124 @@
+//! What a split or a star needs, planned: the hierarchy grows, the mesh is only read.
+//!
+//! The star of a vertex v at a level l is made of triangles of level l − 1, and *restriction* says that a triangle of level k
+//! is split only if the stars of its three corners at level k are complete. So each need leads one level down, and ends. What
+//! is there before a triangle is split is then the whole surroundings from which its new vertices are made.
+//!
+//! Source: restriction `[zorin1997]`, as `[incremental]` combines it with red-green refinement.
+
+use super::{Across, Levels};
+use crate::error::RefineError;
+use crate::id::VertexId;
+use crate::rotation::RotationSystem;
+use crate::step::{Birth, Hierarchy};
+
+/// What was added to a hierarchy, in order: a vertex with a level is a new vertex if that is the level of its birth, else the
+/// star of an older one at the level before.
+///
+/// In other words, of which vertices it is to be found out where they are at which level; all that this depends on comes
+/// before.
+#[derive(Debug, Default)]
+pub(crate) struct Growth {
+    pub(crate) steps: Vec<(VertexId, u8)>,
+    /// The vertices that are new.
+    pub(crate) made: Vec<VertexId>,
+    /// How many triangles the mesh that is shown has more.
+    pub(crate) added_faces: usize,
+}
+
+impl Growth {
+    pub(crate) fn clear(&mut self) {
+        self.steps.clear();
+        self.made.clear();
+        self.added_faces = 0;
+    }
+
+    /// Takes back all that was added.
+    pub(crate) fn undo(&mut self, hierarchy: &mut Hierarchy) {
+        for &(v, level) in self.steps.iter().rev() {
+            match hierarchy.birth(v).filter(|birth| birth.level == level) {
+                None => hierarchy.pop_star(v),
+                Some(&Birth { parent, .. }) => {
+                    hierarchy.join(parent.p, parent.q);
+                    hierarchy.release(v);
+                }
+            }
+        }
+        self.clear();
+    }
+}
+
+/// Adds to a hierarchy. After an error what was added is still there; see [`Growth::undo`].
+pub(crate) struct Grower<'a> {
+    pub(crate) rotation: &'a RotationSystem,
+    pub(crate) hierarchy: &'a mut Hierarchy,
+    pub(crate) growth: &'a mut Growth,
+    /// How many faces the mesh may have.
+    pub(crate) max_faces: Option<u64>,
+}
+
+impl Grower<'_> {
+    fn levels(&self) -> Levels<'_> {
+        Levels::new(self.rotation, self.hierarchy)
+    }
+
+    /// Requires the star of a vertex at a level not below that of its birth, and all that it needs. O(what is new, and the
+    /// valences there).
+    pub(crate) fn require_star(&mut self, v: VertexId, level: u8) -> Result<(), RefineError> {
+        if self.hierarchy.has_star(v, level) {
+            return Ok(());
+        }
+        if level > self.hierarchy.level(v) {
+            self.require_star(v, level - 1)?;
+        }
+        for triangle in self.levels().triangles_below(v, level).iter() {
+            self.split_restricted(triangle)?;
+        }
+        let next = level.checked_add(1).ok_or(RefineError::TooDeep)?;
+        self.hierarchy.push_star(v);
+        self.growth.steps.push((v, next));
+        Ok(())
+    }
+
+    /// Splits a triangle, counter-clockwise, and before that all that restriction asks for.
+    pub(crate) fn split_restricted(&mut self, triangle: [VertexId; 3]) -> Result<(), RefineError> {
+        let level = self.hierarchy.level_of(triangle);
+        for v in triangle {
+            self.require_star(v, level)?;
+        }
+        self.split(triangle)
+    }
+
+    /// Splits a triangle, counter-clockwise, across whose edges there are triangles of the same level, or nothing.
+    pub(crate) fn split(&mut self, [a, b, c]: [VertexId; 3]) -> Result<(), RefineError> {
+        for triangle in [[a, b, c], [b, c, a], [c, a, b]] {
+            self.split_edge(triangle)?;
+        }
+        Ok(())
+    }
+
+    /// Splits the edge `a -> b` of a triangle `a, b, c`, if it is not split yet.
+    fn split_edge(&mut self, [a, b, c]: [VertexId; 3]) -> Result<(), RefineError> {
+        if self.hierarchy.odd(a, b).is_some() {
+            return Ok(());
+        }
+        let right = match self.levels().across([a, b, c]) {
+            Across::Corner(right) => Some(right),
+            Across::Gap => None,
+            Across::Unmade(_) => unreachable!("the triangle across is of the same level"),
+        };
+        self.growth.added_faces += 1 + usize::from(right.is_some());
+        let needed = self.rotation.triangle_count() as u64 + self.growth.added_faces as u64;
+        if let Some(allowed) = self.max_faces.filter(|&allowed| needed > allowed) {
+            return Err(RefineError::TooManyFaces { needed, allowed });
+        }
+        let too_many = RefineError::TooManyVertices { needed: self.hierarchy.vertex_count() as u64 + 1 };
+        let x = self.hierarchy.next_id().ok_or(too_many)?;
+        let level = self.hierarchy.level_of([a, b]).checked_add(1).ok_or(RefineError::TooDeep)?;
+        let parent = self.levels().parent([a, b], Some(c), right);
+        self.hierarchy.insert(x, Birth { level, parent });
+        self.growth.made.push(x);
+        self.growth.steps.push((x, level));
+        Ok(())
+    }
+}
