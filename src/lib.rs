@@ -124,6 +124,8 @@
 //!
 #![doc = include_str!("../docs/closing.svg")]
 //!
+//! **Red, green, leaf**: split in four; bisected for the time being, to close a crack; a triangle that is not split in four.
+//!
 //! **Hanging vertex**: one on the inside of an edge of a face, of which it is no corner.
 //!
 //! **Mobile, static vertex**: under static/mobile subdivision, one that moves in this step; one that stays for ever.

@@ -4,8 +4,8 @@
 //! for all of them. *Uniform* takes everything, *simple* the selection as it is, *incremental* the selection with the
 //! rings around it.
 //!
-//! *Static/mobile* chooses by more than the mesh and the selection. It is no method of this kind but a way in which a
-//! [`Subdivider`](crate::subdivide::Subdivider) is made.
+//! *Red-green* and *static/mobile* choose by more than the mesh and the selection. They are no methods of this kind but ways
+//! in which a [`Subdivider`](crate::subdivide::Subdivider) is made.
 //!
 //! **Deliberately not here**: how a selection follows the refinement; that is the same for all methods, see
 //! [`crate::subdivide`].

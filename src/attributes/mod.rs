@@ -230,8 +230,12 @@ impl Attributes {
             return subdivider.step(mesh, history, selection, scratch, control);
         }
         let kind = subdivider.scheme().split_kind();
-        if kind != SplitKind::Quadrisect && !(self.corner.is_empty() && self.labels.is_empty()) {
+        let nothing_on_faces = self.corner.is_empty() && self.labels.is_empty();
+        if kind != SplitKind::Quadrisect && !nothing_on_faces {
             return Err(RefineError::Unfollowed { asked: kind.name() });
+        }
+        if subdivider.takes_back() && !nothing_on_faces {
+            return Err(RefineError::Unfollowed { asked: "red-green refinement" });
         }
         self.corner.iter_mut().for_each(|channel| channel.chart.take_tags(mesh));
         let splits = Splits { some_stay: subdivider.is_mobile(), ..Splits::default() };

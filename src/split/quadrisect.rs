@@ -235,7 +235,7 @@ pub(crate) fn apply(
 }
 
 impl Closing {
-    fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.edges.clear();
         self.t_vertices.clear();
         self.o_vertices.clear();

@@ -116,11 +116,11 @@ impl Hierarchy {
         self.free.first().copied().or_else(|| VertexId::try_new(self.vertex_count()))
     }
 
-    /// Splits an edge; `x` is [`Hierarchy::next_id`].
+    /// Splits an edge; `x` is [`Hierarchy::next_id`], or one behind it if those between come next.
     pub(crate) fn insert(&mut self, x: VertexId, birth: Birth) {
         let k = x.index() - self.input_count;
-        if k == self.births.len() {
-            self.births.push(None);
+        if k >= self.births.len() {
+            self.births.resize(k + 1, None);
         } else {
             self.free.remove(&x);
         }

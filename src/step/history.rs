@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::{Bisections, Exactness, Lineage, Mobility, Motions, SplitKind};
+use super::{Bisections, Exactness, Hierarchy, Lineage, Mobility, Motions, SplitKind};
 use crate::error::RefineError;
 use crate::id::{Edge, Triangle, VertexId};
 use crate::mesh::Mesh;
@@ -42,6 +42,9 @@ pub struct History {
     bisections: Option<Box<Bisections>>,
     /// From the first step of static/mobile subdivision on.
     mobility: Option<Box<Mobility>>,
+    /// From the first step of red-green refinement on: after which step it was, and the red triangles over the mesh before the
+    /// first of its kind.
+    red_green: Option<(usize, Box<Hierarchy>)>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -112,6 +115,7 @@ impl History {
             motions: None,
             bisections: None,
             mobility: None,
+            red_green: None,
         }
     }
 
@@ -130,6 +134,7 @@ impl History {
             motions: None,
             bisections: None,
             mobility: None,
+            red_green: None,
         }
     }
 
@@ -323,6 +328,19 @@ impl History {
         self.mobility = Some(mobility);
     }
 
+    /// The red triangles of red-green refinement, to be given back; none over a mesh with so many vertices unless that made
+    /// the last step.
+    pub(crate) fn take_hierarchy(&mut self, vertex_count: usize) -> Box<Hierarchy> {
+        let last = self.step_count();
+        let kept = self.red_green.take().filter(|(step, _)| *step == last);
+        kept.map_or_else(|| Box::new(Hierarchy::new(vertex_count)), |(_, hierarchy)| hierarchy)
+    }
+
+    /// Gives the red triangles back, as they are after the last step.
+    pub(crate) fn keep_hierarchy(&mut self, hierarchy: Box<Hierarchy>) {
+        self.red_green = Some((self.step_count(), hierarchy));
+    }
+
     /// The level of the vertex that splits this edge.
     pub(crate) fn child_level(&self, [p, q]: [VertexId; 2]) -> Result<u8, RefineError> {
         let level = |v| self.level(v).unwrap_or(0);
@@ -371,5 +389,6 @@ impl History {
             + self.motions.as_ref().map_or(0, Motions::memory_bytes)
             + self.bisections.as_ref().map_or(0, |bisections| bisections.memory_bytes())
             + self.mobility.as_ref().map_or(0, |mobility| mobility.memory_bytes())
+            + self.red_green.as_ref().map_or(0, |(_, hierarchy)| hierarchy.memory_bytes())
     }
 }

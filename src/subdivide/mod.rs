@@ -18,6 +18,7 @@ mod follow;
 mod mobile;
 mod positions;
 mod quadrisect;
+mod red_green;
 mod trisect;
 mod values;
 
@@ -32,7 +33,7 @@ use crate::adaptive::AdaptiveMethod;
 use crate::error::{ConfigError, RefineError};
 use crate::id::VertexId;
 use crate::mesh::Mesh;
-use crate::scheme::{AnyScheme, Scheme};
+use crate::scheme::{AnyScheme, Scheme, with_scheme};
 use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::Diagonal;
@@ -166,6 +167,7 @@ enum Method {
     /// A look at the mesh and the selection; goes with every scheme.
     Region(Box<dyn AdaptiveMethod>),
     Mobile(Mobile),
+    RedGreen,
 }
 
 impl Subdivider {
@@ -215,6 +217,40 @@ impl Subdivider {
         Ok(Self { scheme, method, diagonal: Diagonal::default() })
     }
 
+    /// Red-green refinement: triangles with all corners in the selection are split in four, and so is each in which more than
+    /// one edge would be split, or one twice; one in which a single edge is split is bisected until the next step takes that
+    /// back. Valences stay bounded, but unlike *incremental* it promises no exactness; the certificate says what is.
+    ///
+    /// The selection that follows has the corners that were there already, too, where a bisected triangle is split. After a
+    /// step of another method it begins anew with the mesh as it is then.
+    ///
+    /// ```
+    /// use vvmesh::scheme::Loop;
+    /// use vvmesh::scratch::Scratch;
+    /// use vvmesh::select::Selection;
+    /// use vvmesh::step::{History, Keep};
+    /// use vvmesh::subdivide::{Control, Subdivider};
+    /// use vvmesh::{VertexId, shapes};
+    ///
+    /// let mut mesh = shapes::icosahedron();
+    /// let (mut history, mut scratch) = (History::new(&mesh, Keep::default()), Scratch::new());
+    /// let triangle = mesh.triangles().next().expect("it has twenty").corners();
+    /// let selection: Selection = triangle.into_iter().collect();
+    /// let subdivider = Subdivider::red_green(Loop::default())?;
+    /// subdivider.step(&mut mesh, &mut history, &selection, &mut scratch, &mut Control::default())?;
+    /// // One in four, and its neighbours in two.
+    /// assert_eq!(mesh.face_count(), 20 + 3 + 3);
+    /// # Ok::<(), vvmesh::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Under a scheme that does not split triangles in four, with the reason.
+    pub fn red_green(scheme: impl Into<AnyScheme>) -> Result<Self, ConfigError> {
+        let scheme = scheme.into();
+        red_green::require_quadrisection(&scheme)?;
+        Ok(Self { scheme, method: Method::RedGreen, diagonal: Diagonal::default() })
+    }
+
     /// The same with another choice of diagonals in faces with two split edges.
     #[must_use]
     pub fn with_diagonal(mut self, diagonal: Diagonal) -> Self {
@@ -260,6 +296,16 @@ impl Subdivider {
         let region = match &self.method {
             Method::Region(method) => method.region(mesh, selection, scratch),
             Method::Mobile(method) => method.region(mesh, history, selection),
+            Method::RedGreen => {
+                return with_scheme!(
+                    &self.scheme,
+                    scheme => {
+                        let quadrisection = self.quadrisection(scheme);
+                        red_green::step(&quadrisection, mesh, history, selection, scratch, control)
+                    },
+                    else unreachable!("other schemes are refused")
+                );
+            }
         };
         let request = Request { mesh, history, selection, region: &region, scratch: &mut *scratch, control };
         let step = match &self.scheme {
@@ -284,10 +330,15 @@ impl Subdivider {
         matches!(self.method, Method::Mobile(_))
     }
 
+    /// Whether a step takes edges back that one before it drew.
+    pub(crate) fn takes_back(&self) -> bool {
+        matches!(self.method, Method::RedGreen)
+    }
+
     fn promises_exactness(&self) -> bool {
         match &self.method {
             Method::Region(method) => method.promises_exactness(),
-            Method::Mobile(_) => false,
+            Method::Mobile(_) | Method::RedGreen => false,
         }
     }
 }

@@ -92,6 +92,20 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
 
     /// Refines a region as it is given.
     fn refine(&self, request: Request<'_, '_>) -> Result<Step, RefineError> {
+        self.refine_by(request, |mesh, plan, closing, _| {
+            let (rotation, positions, _) = mesh.parts_mut();
+            quadrisect::apply(rotation, plan, closing, |quad: Quad, valences| {
+                self.diagonal.start(quad, valences, positions)
+            });
+        })
+    }
+
+    /// The same with rings written in another way. The positions are then those after the step, and so are the tags.
+    pub(super) fn refine_by(
+        &self,
+        request: Request<'_, '_>,
+        write: impl FnOnce(&mut Mesh, &Plan, &mut Closing, &mut Scratch),
+    ) -> Result<Step, RefineError> {
         let Request { mesh, region, control, .. } = &request;
         if region.is_everything() {
             control.allow(mesh.vertex_count() + mesh.edge_count(), mesh.face_count(), 3 * mesh.face_count())?;
@@ -99,13 +113,18 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
         let mut buffers = request.scratch.take::<Buffers>();
         let Request { mesh, history, selection, region, scratch, control } = request;
         let request = Request { mesh, history, selection, region, scratch: &mut *scratch, control };
-        let step = self.refine_with(&mut buffers, request);
+        let step = self.refine_with(&mut buffers, request, write);
         scratch.give(buffers);
         step
     }
 
     /// The same with buffers, which lie apart from the scratch.
-    fn refine_with(&self, buffers: &mut Buffers, request: Request<'_, '_>) -> Result<Step, RefineError> {
+    fn refine_with(
+        &self,
+        buffers: &mut Buffers,
+        request: Request<'_, '_>,
+        write: impl FnOnce(&mut Mesh, &Plan, &mut Closing, &mut Scratch),
+    ) -> Result<Step, RefineError> {
         let Request { mesh, history, selection, region, scratch, control } = request;
         let Buffers { plan, levels, positions, handed, closing } = buffers;
         let moving = region.vertices(mesh.vertex_count());
@@ -124,7 +143,8 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
         for (&v, &position) in moving.iter().zip(&positions.moved) {
             mesh.positions_mut()[v.index()] = position;
         }
-        split(mesh, plan, &moving, closing, self.diagonal);
+        split_tags(mesh, plan, &moving);
+        write(mesh, plan, closing, scratch);
 
         let certified = history.exactness_mut().map(|exactness| {
             certify::after(exactness, handed, mesh, &moving, plan, closing);
@@ -169,15 +189,14 @@ fn child_levels(levels: &mut Vec<u8>, history: &History, plan: &Plan) -> Result<
     Ok(())
 }
 
-/// Splits rings and tags; positions are those after the step, in which the vertices `moving` took part.
-fn split(mesh: &mut Mesh, plan: &Plan, moving: &[VertexId], closing: &mut Closing, diagonal: Diagonal) {
-    let (rotation, positions, tags) = mesh.parts_mut();
+/// Splits tags, as the vertices `moving` take part in a step; the rings are those before it.
+fn split_tags(mesh: &mut Mesh, plan: &Plan, moving: &[VertexId]) {
+    let (rotation, _, tags) = mesh.parts_mut();
     if !tags.is_empty() {
         let edge = |[p, q]: [VertexId; 2]| Edge::new(p, q);
         let split = plan.odd().map(|(x, split)| (x, edge(split.ends())));
         tags.refine(rotation, split, moving.iter().copied());
     }
-    quadrisect::apply(rotation, plan, closing, |quad: Quad, valences| diagonal.start(quad, valences, positions));
 }
 
 /// S' = S and every new vertex between two vertices of S. O(S and the region).

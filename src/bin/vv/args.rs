@@ -200,8 +200,9 @@ pub(crate) struct RefineArguments {
     /// How many steps; 0 copies the mesh. With `mobile` as many as it takes, but no more than this if it is given
     #[arg(long, value_name = "N", allow_negative_numbers = true, required_unless_present = "accuracy")]
     pub(crate) levels: Option<u8>,
-    /// What each step refines: everything; the selection; the selection with the rings around it; or of the selection what
-    /// is farther from its limit than --accuracy, under `loop`
+    /// What each step refines: everything; the selection; the selection with the rings around it; the faces
+    /// inside the selection, closed anew in each step; or of the selection what is farther from its limit than --accuracy,
+    /// under `loop`
     #[arg(long)]
     pub(crate) method: MethodName,
     /// How near to its limit `mobile` brings a vertex before it stays for ever
@@ -352,6 +353,7 @@ pub(crate) enum MethodName {
     Uniform,
     Simple,
     Incremental,
+    RedGreen,
     Mobile,
 }
 

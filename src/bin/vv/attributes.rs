@@ -97,9 +97,10 @@ pub(crate) fn to_take_along(
     if let Some((option, _, what)) = missing.iter().find(|(_, is_missing, _)| *is_missing) {
         return refuse(format!("{option} has no meaning with {path}: it has no {what}; leave it out"));
     }
-    let is_cut_in_four = refine::scheme(&arguments.refine).split_kind() == SplitKind::Quadrisect;
+    let faces_ride_along = refine::scheme(&arguments.refine).split_kind() == SplitKind::Quadrisect
+        && arguments.refine.method != MethodName::RedGreen;
     Ok(match said {
-        Some((triangles, said)) if !is_cut_in_four && arguments.refine.levels() > 0 => {
+        Some((triangles, said)) if !faces_ride_along && arguments.refine.levels() > 0 => {
             Some((triangles, without_faces(arguments, said)?))
         }
         None if arguments.normals.is_some() => Some((mesh.to_face_list(), nothing)),
@@ -107,20 +108,21 @@ pub(crate) fn to_take_along(
     })
 }
 
-/// What rides along with a scheme whose faces do not lie in those of the step before: colours.
+/// What rides along where faces do not lie in those of the step before, for the scheme or the method: colours.
 fn without_faces(arguments: &SubdivideArguments, said: FaceAttributes) -> Result<FaceAttributes, Failure> {
-    let scheme = arguments.refine.scheme;
+    let (scheme, method) = (arguments.refine.scheme, arguments.refine.method);
+    let who = if method == MethodName::RedGreen { format!("--method {method}") } else { format!("--scheme {scheme}") };
     if arguments.uv.is_some() {
         return refuse(format!(
-            "--uv has no meaning with --scheme {scheme}: it does not take texture coordinates along; leave it out"
+            "--uv has no meaning with {who}: it does not take texture coordinates along; leave it out"
         ));
     }
     let mut kept = FaceAttributes::default();
     kept.vertex_colors.clone_from(&said.vertex_colors);
     if said != kept {
         note(format_args!(
-            "{}: groups, objects, materials, texture coordinates and normals are lost: --scheme {scheme} does not take \
-             them along; --normals recompute makes new normals",
+            "{}: groups, objects, materials, texture coordinates and normals are lost: {who} does not take them \
+             along; --normals recompute makes new normals",
             arguments.refine.mesh.display()
         ));
     }

@@ -179,6 +179,10 @@ fn subdivider(arguments: &RefineArguments, scheme: AnyScheme) -> Result<Subdivid
             Ok(method) => Subdivider::new(scheme, method),
             Err(error) => return refuse(format!("--{error}")),
         },
+        MethodName::RedGreen => match Subdivider::red_green(scheme) {
+            Ok(subdivider) => subdivider,
+            Err(error) => return refuse(format!("--{error}")),
+        },
         MethodName::Mobile => {
             let accuracy = arguments.accuracy.expect("without it the arguments are refused");
             match Subdivider::mobile(scheme, accuracy) {

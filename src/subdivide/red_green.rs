@@ -1,0 +1,127 @@
+//! A step of plain red-green refinement.
+//!
+//! The leaves with all corners in the selection are split in four (*red*), and so is, to a fixed point, every leaf of which
+//! two edges would be split or one twice. Leaves with one split edge are bisected (*green*) until the next step, which takes
+//! that back first. Positions come from masks on the mesh as it is, green edges and all: those of all corners of red leaves,
+//! and of new vertices. So nothing is exact by itself; what the certificate proves is. Source: `[bank1983]`.
+//!
+//! **Deliberately not here**: which leaves need to be split ([`crate::split::hierarchy`]).
+
+use super::quadrisect::Quadrisection;
+use super::{Control, Request, Step};
+use crate::error::{ConfigError, RefineError};
+use crate::id::{Edge, VertexId};
+use crate::mesh::Mesh;
+use crate::rotation::RotationSystem;
+use crate::scheme::{AnyScheme, Scheme};
+use crate::scratch::Scratch;
+use crate::select::Selection;
+use crate::split::hierarchy::{Levels, Red, leaf_of, show};
+use crate::split::quadrisect::{Closing, Plan};
+use crate::step::{Hierarchy, History, Region, SplitKind};
+
+/// Refuses schemes that do not split triangles in four.
+pub(super) fn require_quadrisection(scheme: &AnyScheme) -> Result<(), ConfigError> {
+    if scheme.split_kind() == SplitKind::Quadrisect {
+        return Ok(());
+    }
+    Err(ConfigError {
+        name: "scheme",
+        value: scheme.name().into(),
+        expected: "one that splits triangles in four; the triangles of this one conform without being bisected".into(),
+    })
+}
+
+/// Makes one step for a selection.
+pub(super) fn step<S: Scheme + Sync>(
+    quadrisection: &Quadrisection<'_, S>,
+    mesh: &mut Mesh,
+    history: &mut History,
+    selection: &Selection,
+    scratch: &mut Scratch,
+    control: &mut Control<'_>,
+) -> Result<Step, RefineError> {
+    let mut hierarchy = history.take_hierarchy(mesh.vertex_count());
+    let selected = selected_leaves(mesh, &hierarchy, selection, scratch);
+    let red = Red::closure(Levels::new(mesh.rotation(), &hierarchy), selected);
+    let first = mesh.vertex_count();
+    let step = if red.edges.keys().any(|edge| hierarchy.level_of(edge.ends()) == u8::MAX) {
+        Err(RefineError::TooDeep)
+    } else {
+        let region = Region::edges(red.edges.keys().copied());
+        let request =
+            Request { mesh, history: &mut *history, selection, region: &region, scratch: &mut *scratch, control };
+        quadrisection.refine_by(request, |mesh, plan, closing, scratch| {
+            let (rotation, ..) = mesh.parts_mut();
+            let made = plan.odd().map(|(x, split)| (x, edge(split.ends())));
+            red.split(rotation, &mut hierarchy, made);
+            redraw(rotation, &hierarchy, plan, closing, scratch);
+        })
+    };
+    let followed = step.map(|step| {
+        let older = older_between(&hierarchy, &red, selection, first);
+        Step { selection: step.selection.union(&older), ..step }
+    });
+    history.keep_hierarchy(hierarchy);
+    followed
+}
+
+fn edge([p, q]: [VertexId; 2]) -> Edge {
+    Edge::new(p, q)
+}
+
+/// The leaves with all corners in the selection; some come more than once.
+fn selected_leaves(
+    mesh: &Mesh,
+    hierarchy: &Hierarchy,
+    selection: &Selection,
+    scratch: &mut Scratch,
+) -> Vec<[VertexId; 3]> {
+    let marks = scratch.marked(mesh.vertex_count(), selection.vertices());
+    let around = selection.vertices().iter().flat_map(|&v| mesh.rotation().triangles_around(v));
+    let leaves = around.map(|triangle| leaf_of(hierarchy, triangle));
+    leaves.filter(|leaf| leaf.iter().all(|&v| marks.is_set(v))).collect()
+}
+
+/// Writes the rings that new vertices changed, and says in `closing` what closes cracks there.
+fn redraw(
+    rotation: &mut RotationSystem,
+    hierarchy: &Hierarchy,
+    plan: &Plan,
+    closing: &mut Closing,
+    scratch: &mut Scratch,
+) {
+    closing.clear();
+    let new: Vec<VertexId> = plan.odd().map(|(x, _)| x).collect();
+    let mut reached = scratch.take_list();
+    show(rotation, hierarchy, &new, scratch, |v, shown| {
+        reached.push(v);
+        closing.t_vertices.extend((shown.hangs && v.index() >= plan.first).then_some(v));
+    });
+    closing.t_vertices.sort_unstable();
+    closing.max_valence = reached.iter().map(|&v| rotation.valence(v)).max().unwrap_or(0);
+    scratch.give_list(reached);
+    let levels = Levels::new(rotation, hierarchy);
+    for &x in &closing.t_vertices {
+        let beside = levels.triangles_beside(x).into_iter().flatten();
+        let green = beside.filter(|&triangle| !hierarchy.is_split(triangle));
+        let opposite = green.map(|[_, _, o]| o);
+        for o in opposite {
+            closing.edges.push(Edge::new(o, x));
+            closing.o_vertices.push(o);
+        }
+    }
+    closing.o_vertices.sort_unstable();
+    closing.o_vertices.dedup();
+}
+
+/// The vertices made before that now are corners of red triangles, between two selected vertices. A leaf that was bisected
+/// gets three new corners, of which one was there.
+fn older_between(hierarchy: &Hierarchy, red: &Red, selection: &Selection, first: usize) -> Selection {
+    let sides = red.leaves.iter().flat_map(|leaf| {
+        let [a, b, c] = leaf.corners();
+        [[a, b], [b, c], [c, a]]
+    });
+    let inside = sides.filter(|ends| ends.iter().all(|&end| selection.contains(end)));
+    inside.filter_map(|[a, b]| hierarchy.odd(a, b)).filter(|x| x.index() < first).collect()
+}
