@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a test that panics has failed")]
 
 use vvmesh::adaptive::Incremental;
+#[cfg(feature = "matrix")]
+use vvmesh::matrix::SubdivisionMatrix;
 use vvmesh::scheme::{AnyScheme, Butterfly, Loop, ModifiedButterfly};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
@@ -64,4 +66,27 @@ fn a_step_allocates_only_for_long_rings_and_growth() {
 fn without_recycling_every_step_allocates() {
     let found = allocations(Loop::default().into(), Keep::default(), false);
     assert_eq!(growths(&found), found.len(), "{found:?}");
+}
+
+/// A matrix that goes along takes memory for the rows that a step makes, whatever the number of those there are.
+#[cfg(feature = "matrix")]
+#[test]
+fn a_matrix_grows_by_what_a_step_makes() {
+    let mut mesh = shapes::torus(300, 60, 2.0, 1.0);
+    let (mut history, mut scratch) = (History::new(&mesh, Keep::default()), Scratch::new());
+    let mut matrix = SubdivisionMatrix::new(&mesh);
+    let subdivider = Subdivider::new(Loop::default(), Incremental::new(1).unwrap());
+    let mut bytes = Vec::new();
+    for k in 0..30 {
+        let disk = query::r_disk(mesh.rotation(), [VertexId::new(600 * k + 7)], 2, &mut scratch);
+        let selection: Selection = disk.into_vertices().into_iter().collect();
+        let counted = allocation_counter::measure(|| {
+            let control = &mut Control { follower: Some(&mut matrix), ..Control::default() };
+            subdivider.step(&mut mesh, &mut history, &selection, &mut scratch, control).unwrap();
+        });
+        bytes.push(counted.bytes_total);
+    }
+    // The first step doubles all lists; after it hardly one does.
+    let whole = matrix.weights().memory_bytes() as u64;
+    assert!(bytes[1..].iter().filter(|&&bytes| bytes > whole / 50).count() <= 1, "{bytes:?} of {whole}");
 }
