@@ -5,7 +5,7 @@
 use vvmesh::adaptive::Incremental;
 #[cfg(feature = "matrix")]
 use vvmesh::matrix::SubdivisionMatrix;
-use vvmesh::scheme::{AnyScheme, Butterfly, Loop, ModifiedButterfly};
+use vvmesh::scheme::{AnyScheme, Butterfly, Loop, ModifiedButterfly, Sqrt3};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
 use vvmesh::step::{History, Keep};
@@ -60,6 +60,13 @@ fn a_step_allocates_only_for_long_rings_and_growth() {
             assert!(growths(&found) <= if names { 2 } else { 0 }, "{found:?}");
         }
     }
+}
+
+/// Its levels, a byte a new vertex, are a list that may double once in the last third.
+#[test]
+fn a_step_of_sqrt3_allocates_only_for_long_rings_and_growth() {
+    let found = allocations(Sqrt3::default().into(), Keep::default(), true);
+    assert!(growths(&found) <= 1, "{found:?}");
 }
 
 #[test]

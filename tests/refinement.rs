@@ -14,7 +14,7 @@ use vvmesh::adaptive::{AdaptiveMethod, Incremental, Simple, Uniform};
 use vvmesh::error::RefineError;
 use vvmesh::glam::{DAffine3, DVec3};
 use vvmesh::query::r_disk;
-use vvmesh::scheme::{AnyScheme, Loop, Midpoint};
+use vvmesh::scheme::{AnyScheme, FourEight, Loop, Midpoint, Sqrt3};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
 use vvmesh::split::Diagonal;
@@ -244,14 +244,23 @@ fn a_step_can_be_stopped_whenever_it_asks() {
     assert_eq!(run.bits(), after.bits());
 }
 
-/// Without names the whole mesh is refined at once, and there are as many blocks as there is work to share.
+/// Without names the whole mesh is refined at once, and there are as many blocks as there is work to share: two of old
+/// vertices, and of new ones those that belong to them; under 4-8 none belongs to the younger half.
 #[test]
 fn a_step_of_a_whole_mesh_can_be_stopped_whenever_it_asks() {
-    for (scheme, asked) in [(AnyScheme::from(Loop::default()), 4), (Midpoint.into(), 2)] {
+    let torus = |around| shapes::torus(300, around, 2.0, 1.0);
+    let cases: [(AnyScheme, Mesh, usize, usize, usize); 4] = [
+        (Loop::default().into(), torus(250), 0, 4, 300_000),
+        (Midpoint.into(), torus(250), 0, 2, 225_000),
+        (Sqrt3::default().into(), torus(250), 0, 4, 225_000),
+        (FourEight::default().into(), torus(125), 1, 3, 150_000),
+    ];
+    for (scheme, mesh, steps_before, asked, total) in cases {
         let subdivider = Subdivider::new(scheme, Uniform);
-        let mesh = shapes::torus(300, 250, 2.0, 1.0);
         let mut run = Run { history: History::new(&mesh, Keep::default()), mesh };
-        let total = 225_000 + if asked == 4 { 75_000 } else { 0 };
+        for _ in 0..steps_before {
+            run.step(&subdivider, &Selection::empty());
+        }
         for stop_at in 0..asked {
             let mut seen: Vec<Progress> = Vec::new();
             let mut report = |progress| {
@@ -266,6 +275,15 @@ fn a_step_of_a_whole_mesh_can_be_stopped_whenever_it_asks() {
             assert_eq!(seen[0], Progress { done: 0, total });
             assert!(seen.is_sorted_by(|one, next| one.done < next.done && next.done < total));
         }
+        let mut count = 0;
+        let mut report = |_| {
+            count += 1;
+            ControlFlow::Continue(())
+        };
+        let mut control = Control { progress: Some(&mut report), ..Control::default() };
+        let Run { mesh, history } = &mut run;
+        subdivider.step(mesh, history, &Selection::empty(), &mut Scratch::new(), &mut control).unwrap();
+        assert_eq!(count, asked);
     }
 }
 

@@ -14,7 +14,7 @@ mod plain;
 use std::collections::BTreeSet;
 
 use common::random::{Closed, Surface, WithBoundary, check, semi_sharp, triangles};
-use common::run::{bits, schemes};
+use common::run::{bits, other_schemes, schemes};
 use rayon::ThreadPoolBuilder;
 use vvmesh::adaptive::Uniform;
 use vvmesh::check::{FindingKind, conformity, mesh_conformity};
@@ -26,7 +26,7 @@ use vvmesh::scheme::{AnyScheme, Loop, LoopWeights, Midpoint};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Dihedral, Expression, Selection, Sphere};
 use vvmesh::soup::FaceList;
-use vvmesh::step::{History, Keep};
+use vvmesh::step::{History, Keep, SplitKind};
 use vvmesh::subdivide::{Control, Subdivider};
 use vvmesh::{Angle, Edge, Mesh, VertexId, shapes};
 
@@ -83,11 +83,16 @@ fn refined(mesh: &Mesh, scheme: &AnyScheme, steps: usize, keep: Keep) -> Mesh {
 }
 
 /// How many steps leave a mesh with enough vertices before the last one.
-fn steps_to_share(mesh: &Mesh) -> usize {
+fn steps_to_share(mesh: &Mesh, kind: SplitKind) -> usize {
     let (mut vertices, mut edges, mut faces) = (mesh.vertex_count(), mesh.edge_count(), mesh.face_count());
     let mut steps = 1;
     while vertices < SHARED {
-        (vertices, edges, faces) = (vertices + edges, 2 * edges + 3 * faces, 4 * faces);
+        // Of the last two at least so many: a boundary adds some.
+        (vertices, edges, faces) = match kind {
+            SplitKind::Quadrisect => (vertices + edges, 2 * edges + 3 * faces, 4 * faces),
+            SplitKind::Trisect => (vertices + faces, edges + 3 * faces, 3 * faces),
+            SplitKind::Bisect => (vertices + faces / 2, edges + faces / 2 + faces, 2 * faces),
+        };
         steps += 1;
     }
     steps
@@ -95,7 +100,7 @@ fn steps_to_share(mesh: &Mesh) -> usize {
 
 /// The short way on any number of threads is the general way.
 fn refinement_is_the_same(mesh: &Mesh, scheme: &AnyScheme) -> Mesh {
-    let steps = steps_to_share(mesh);
+    let steps = steps_to_share(mesh, scheme.split_kind());
     let short = same_on_any(|| Bits(refined(mesh, scheme, steps, SHORT)));
     assert!(short == Bits(refined(mesh, scheme, steps, GENERAL)), "the general way has another result");
     short.0
@@ -183,6 +188,9 @@ fn a_mesh_of_all_kinds_of_vertices_is_the_same() {
     for (_, scheme) in schemes() {
         answers_are_the_same(&refinement_is_the_same(&mesh, &scheme));
     }
+    for (_, scheme) in other_schemes() {
+        refinement_is_the_same(&mesh, &scheme);
+    }
 }
 
 #[test]
@@ -197,6 +205,9 @@ fn random_meshes_are_the_same() {
     fn is_the_same<S: Surface>(surface: S, scheme: u8) {
         let (_, scheme) = schemes()[usize::from(scheme) % 5].clone();
         answers_are_the_same(&refinement_is_the_same(&surface.mesh(), &scheme));
+        for (_, scheme) in other_schemes() {
+            refinement_is_the_same(&surface.mesh(), &scheme);
+        }
     }
     check(71, 6, is_the_same::<Closed> as fn(Closed, u8));
     check(72, 6, is_the_same::<WithBoundary> as fn(WithBoundary, u8));
@@ -211,10 +222,15 @@ fn shared_meshes_are_the_same() {
         eprintln!("{}", row.file);
         let list = plain::read(&folder.join(&row.file));
         let mesh = Mesh::from_triangles(list.positions.clone(), &list.triangulate().triangles).unwrap();
-        for (_, scheme) in schemes() {
+        for (_, scheme) in schemes().into_iter().chain(other_schemes()) {
             refinement_is_the_same(&mesh, &scheme);
         }
-        answers_are_the_same(&refined(&mesh, &Midpoint.into(), steps_to_share(&mesh) - 1, SHORT));
+        answers_are_the_same(&refined(
+            &mesh,
+            &Midpoint.into(),
+            steps_to_share(&mesh, SplitKind::Quadrisect) - 1,
+            SHORT,
+        ));
         count += 1;
     }
     assert!(count >= 80, "only {count} meshes");

@@ -12,15 +12,8 @@ const SEARCHED: usize = 128;
 /// Finds neighbours in rings, in O(1) for short ones and O(log valence) for long ones.
 #[derive(Debug, Default)]
 pub(crate) struct Hubs {
-    sorted: HashMap<VertexId, Vec<(VertexId, Place)>>,
-}
-
-/// Where a neighbour stands in a ring.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(crate) struct Place {
-    pub(crate) slot: u32,
-    /// How many neighbours before the slot have a greater id than the vertex whose ring it is.
-    pub(crate) rank: u32,
+    /// The neighbours ascending, each with its slot.
+    sorted: HashMap<VertexId, Vec<(VertexId, u32)>>,
 }
 
 impl Hubs {
@@ -36,7 +29,7 @@ impl Hubs {
     pub(crate) fn among(rotation: &RotationSystem, vertices: impl IntoIterator<Item = VertexId>) -> Self {
         let mut sorted = HashMap::new();
         for v in vertices.into_iter().filter(|&v| Self::is_long(rotation, v)) {
-            sorted.entry(v).or_insert_with(|| sorted_places(rotation, v));
+            sorted.entry(v).or_insert_with(|| sorted_slots(rotation, v));
         }
         Self { sorted }
     }
@@ -48,38 +41,18 @@ impl Hubs {
         if ring.valence() <= SEARCHED {
             return ring.slot_of(neighbor);
         }
-        self.sorted_place(v, neighbor).map_or_else(|| ring.slot_of(neighbor), |place| Some(place.slot as usize))
-    }
-
-    /// The place of `neighbor` in the ring of `v`, or `None` if it is none.
-    #[inline]
-    pub(crate) fn place(&self, rotation: &RotationSystem, v: VertexId, neighbor: VertexId) -> Option<Place> {
-        if rotation.valence(v) > SEARCHED {
-            if let Some(place) = self.sorted_place(v, neighbor) {
-                return Some(place);
-            }
-        }
-        places(rotation, v).find(|(w, _)| *w == neighbor).map(|(_, place)| place)
+        self.sorted_slot(v, neighbor).or_else(|| ring.slot_of(neighbor))
     }
 
     #[cold]
-    fn sorted_place(&self, v: VertexId, neighbor: VertexId) -> Option<Place> {
+    fn sorted_slot(&self, v: VertexId, neighbor: VertexId) -> Option<usize> {
         let sorted = self.sorted.get(&v)?;
-        sorted.binary_search_by_key(&neighbor, |entry| entry.0).ok().map(|k| sorted[k].1)
+        sorted.binary_search_by_key(&neighbor, |entry| entry.0).ok().map(|k| sorted[k].1 as usize)
     }
 }
 
-fn places(rotation: &RotationSystem, v: VertexId) -> impl Iterator<Item = (VertexId, Place)> {
-    let ranks = rotation.neighbors(v).iter().scan(0, move |rank, &w| {
-        let before = *rank;
-        *rank += u32::from(v < w);
-        Some((w, before))
-    });
-    ranks.zip(0..).map(|((w, rank), slot)| (w, Place { slot, rank }))
-}
-
-fn sorted_places(rotation: &RotationSystem, v: VertexId) -> Vec<(VertexId, Place)> {
-    let mut sorted: Vec<(VertexId, Place)> = places(rotation, v).collect();
+fn sorted_slots(rotation: &RotationSystem, v: VertexId) -> Vec<(VertexId, u32)> {
+    let mut sorted: Vec<(VertexId, u32)> = rotation.neighbors(v).iter().copied().zip(0..).collect();
     sorted.sort_unstable();
     sorted
 }
@@ -100,11 +73,8 @@ mod tests {
         for v in mesh.vertices() {
             for w in mesh.vertices() {
                 assert_eq!(with.slot(rotation, v, w), mesh.ring(v).slot_of(w));
-                assert_eq!(with.place(rotation, v, w), without.place(rotation, v, w));
+                assert_eq!(without.slot(rotation, v, w), mesh.ring(v).slot_of(w));
             }
-            let upward = mesh.ring(v).iter().filter(|&w| v < w);
-            let ranks = upward.map(|w| with.place(rotation, v, w).unwrap().rank);
-            assert!(ranks.eq(0..mesh.ring(v).iter().filter(|&w| v < w).count() as u32));
         }
     }
 }

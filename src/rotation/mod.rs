@@ -242,10 +242,10 @@ impl RotationSystem {
         Self { rings, entries: self.entries, open: self.open }
     }
 
-    /// Takes the rings after a split of everything: every edge became two, every triangle four, every gap two.
-    pub(crate) fn replace_by_split(&mut self, rings: Vec<RingBuf>) {
-        self.entries = 2 * (2 * self.edge_count() + 3 * self.triangle_count());
-        self.open *= 2;
+    /// Takes the rings after a split of everything into so many triangles with so many boundary edges.
+    pub(crate) fn replace_rings(&mut self, rings: Vec<RingBuf>, triangles: usize, boundary_edges: usize) {
+        self.entries = 3 * triangles + boundary_edges;
+        self.open = boundary_edges;
         self.rings = rings;
     }
 

@@ -83,15 +83,15 @@ impl Threes {
     }
 }
 
-/// A set of slots of a regular ring. As an iterator it gives them ascending.
+/// A set of slots below 8. As an iterator it gives them ascending.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Slots(u8);
 
 /// How many slots before one are in a set: by the set, then the slot.
-const RANKS: [[u8; 8]; 64] = {
-    let mut ranks = [[0; 8]; 64];
+const RANKS: [[u8; 8]; 256] = {
+    let mut ranks = [[0; 8]; 256];
     let mut set = 0;
-    while set < 64 {
+    while set < 256 {
         let mut slot = 0;
         while slot < 7 {
             ranks[set][slot + 1] = ranks[set][slot] + (set >> slot & 1) as u8;
@@ -103,6 +103,15 @@ const RANKS: [[u8; 8]; 64] = {
 };
 
 impl Slots {
+    /// Slots are below this.
+    pub(crate) const END: usize = 8;
+
+    /// The slots of a ring with so many neighbours at most of those that pass a test.
+    #[inline]
+    pub(crate) fn among(neighbors: &[VertexId], test: impl Fn(VertexId) -> bool) -> Self {
+        Self(neighbors.iter().zip(0..).fold(0, |set, (&w, slot)| set | u8::from(test(w)) << slot))
+    }
+
     #[inline]
     pub(crate) fn contains(self, slot: usize) -> bool {
         self.0 >> slot & 1 == 1
@@ -110,16 +119,16 @@ impl Slots {
 
     #[inline]
     pub(crate) fn len(self) -> u32 {
-        self.rank(6)
+        self.rank(7) + u32::from(self.0 >> 7)
     }
 
     /// How many slots before this one are in the set.
     #[inline]
     pub(crate) fn rank(self, slot: usize) -> u32 {
-        RANKS[usize::from(self.0) % 64][slot % 8].into()
+        RANKS[usize::from(self.0)][slot % 8].into()
     }
 
-    /// The slots that are not in the set.
+    /// The slots of a regular ring that are not in the set.
     #[inline]
     pub(crate) fn others(self) -> Self {
         Self(!self.0 & 0b11_1111)

@@ -38,6 +38,16 @@ impl RingBuf {
         Self(neighbors.chain(open.then_some(VertexId::GAP)).collect())
     }
 
+    /// A ring with the same gap and another neighbour behind each one that a face follows: what is made of it and the next.
+    pub(crate) fn spread(ring: Ring<'_>, mut between: impl FnMut(VertexId, VertexId) -> VertexId) -> Self {
+        let mut entries = SmallVec::with_capacity(2 * ring.valence());
+        for (slot, w) in ring.iter().enumerate() {
+            entries.push(w);
+            entries.push(ring.behind(slot).map_or(VertexId::GAP, |next| between(w, next)));
+        }
+        Self(entries)
+    }
+
     /// A closed ring of six, which needs no length to be known.
     #[inline]
     pub(crate) fn regular(neighbors: [VertexId; INLINE]) -> Self {

@@ -61,6 +61,7 @@ impl FourEight {
     }
 
     /// Writes the mask of the new vertex on a refinement edge.
+    #[inline]
     pub fn middle(&self, parent: &Parent, mask: &mut impl MaskSink) {
         let Parent { p, q, left, right } = *parent;
         match (left, right) {
@@ -75,13 +76,15 @@ impl FourEight {
     }
 
     /// Writes the mask of an even inner vertex with these neighbours across exterior edges, of which there are some.
-    pub fn even(&self, v: VertexId, exterior: &[VertexId], mask: &mut impl MaskSink) {
+    #[inline]
+    pub fn even(&self, v: VertexId, exterior: impl ExactSizeIterator<Item = VertexId>, mask: &mut impl MaskSink) {
         mask.group(0.5, [v]);
-        mask.group(0.5 / exterior.len() as f64, exterior.iter().copied());
+        mask.group(0.5 / exterior.len() as f64, exterior);
     }
 
     /// Writes the mask of an even boundary vertex whose edges along the boundary are split: the vertices in their
     /// middle, which are (v + w)/2, stand for the ends before, since one of them may be gone.
+    #[inline]
     pub fn boundary(&self, v: VertexId, middles: [VertexId; 2], mask: &mut impl MaskSink) {
         mask.group(0.5, [v]);
         mask.group(0.25, middles);

@@ -3,8 +3,8 @@
 //! A step is a plan, which only reads, and its application, which rewrites rings in place. It
 //! sees no coordinate; where a choice may depend on one, in faces with two split edges, the caller decides.
 //!
-//! There is one way for each kind of split: `quadrisect` of a region and `whole`, and `bisect`, which stands on `generation` and
-//! `matching`.
+//! There is one way for each kind of split of a region: `quadrisect`, `trisect`, and `bisect`, which stands on `generation` and
+//! `matching`; and in `whole` one that splits a whole mesh.
 //!
 //! **Deliberately not here**: positions, tags, weights.
 

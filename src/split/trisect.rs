@@ -34,9 +34,15 @@ pub(crate) struct Levels<'a> {
 }
 
 impl<'a> Levels<'a> {
-    /// Before a step of a mesh with so many vertices.
-    pub(crate) fn before(history: &'a History, vertex_count: usize) -> Self {
-        Self { history, first: vertex_count, new: Vec::new() }
+    /// Before a step of a mesh with so many vertices; what the step makes is noted in the memory of a list.
+    pub(crate) fn before(history: &'a History, vertex_count: usize, mut list: Vec<u8>) -> Self {
+        list.clear();
+        Self { history, first: vertex_count, new: list }
+    }
+
+    /// The list, for its memory.
+    pub(crate) fn into_list(self) -> Vec<u8> {
+        self.new
     }
 
     /// Adds the levels of what was split.

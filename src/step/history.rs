@@ -30,6 +30,8 @@ pub struct History {
     /// How many vertices there were before each step; the first entry counts the input vertices.
     starts: Vec<usize>,
     max_valence: usize,
+    /// Whether every step refined the whole mesh.
+    whole: bool,
     /// What all steps were, from the first on.
     kind: Option<SplitKind>,
     /// For every vertex that is no input vertex, in order; `None` if neither names nor the kind of split ask for it.
@@ -108,6 +110,7 @@ impl History {
         Self {
             starts: vec![mesh.vertex_count()],
             max_valence: mesh.vertices().map(|v| mesh.ring(v).valence()).max().unwrap_or(0),
+            whole: true,
             kind: None,
             levels: keep.names.then(Vec::new),
             names: keep.names.then(Names::default),
@@ -127,6 +130,7 @@ impl History {
         Self {
             starts,
             max_valence: self.max_valence,
+            whole: self.whole,
             kind: self.kind,
             levels: None,
             names: None,
@@ -181,6 +185,21 @@ impl History {
     #[must_use]
     pub fn has_names(&self) -> bool {
         self.names.is_some()
+    }
+
+    /// The first vertex of the last step, of the input before any.
+    pub(crate) fn youngest(&self) -> usize {
+        self.starts.len().checked_sub(2).map_or(0, |step| self.starts[step])
+    }
+
+    /// Whether every step refined the whole mesh, so that vertices of one level were made in one step.
+    pub(crate) fn is_of_whole_steps(&self) -> bool {
+        self.whole
+    }
+
+    /// Notes that a step did not refine the whole mesh.
+    pub(crate) fn note_part(&mut self) {
+        self.whole = false;
     }
 
     /// Whether something is kept of single vertices that a step of the whole mesh would have to add to.
@@ -373,6 +392,16 @@ impl History {
         }
         if let Some(names) = &mut self.names {
             names.closing.extend_from_slice(closing);
+        }
+    }
+
+    /// Closes a step of the whole mesh that has no names to keep. All that it made is of one level, which a mesh with a
+    /// triangle does not let grow beyond a few dozen.
+    pub(crate) fn record_whole(&mut self, kind: SplitKind, vertex_count: usize, max_valence: usize) {
+        let level = u8::try_from(self.starts.len()).unwrap_or(u8::MAX);
+        self.record(kind, vertex_count, std::iter::empty(), &[], max_valence);
+        if let Some(levels) = &mut self.levels {
+            levels.resize(vertex_count - self.starts[0], level);
         }
     }
 

@@ -21,6 +21,7 @@ mod quadrisect;
 mod red_green;
 mod trisect;
 mod values;
+mod whole;
 
 pub use follow::{Assignment, Follower, StepMasks, ValueId};
 pub use mobile::MobileStep;
@@ -117,7 +118,8 @@ impl Step {
     /// Gives the memory of the lists back, for the steps that follow.
     ///
     /// A run of steps of like size that does so, and passes the same `scratch` to every step, allocates nothing but for a
-    /// growing mesh and for rings of more than six neighbours (five if open). A certificate takes one list a step more.
+    /// growing mesh and for rings of more than six neighbours (five if open). A certificate takes one list a step more; 4-8, and
+    /// √3 by a method that promises nothing, take some.
     pub fn recycle(self, scratch: &mut Scratch) {
         for list in [self.selection.into_vertices(), self.t_vertices, self.o_vertices, self.unproven] {
             scratch.give_list(list);
@@ -307,7 +309,8 @@ impl Subdivider {
                 );
             }
         };
-        let request = Request { mesh, history, selection, region: &region, scratch: &mut *scratch, control };
+        let request =
+            Request { mesh, history: &mut *history, selection, region: &region, scratch: &mut *scratch, control };
         let step = match &self.scheme {
             AnyScheme::Loop(scheme) if self.is_mobile() => mobile::step(scheme, self.diagonal, request),
             AnyScheme::Loop(scheme) => self.quadrisection(scheme).step(request),
@@ -317,6 +320,9 @@ impl Subdivider {
             AnyScheme::Sqrt3(scheme) => trisect::step(scheme, self.promises_exactness(), request),
             AnyScheme::FourEight(scheme) => bisect::step(scheme, request),
         };
+        if step.is_ok() && !region.is_everything() {
+            history.note_part();
+        }
         scratch.give_list(region.into_list());
         step
     }

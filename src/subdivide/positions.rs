@@ -2,15 +2,15 @@
 
 use glam::DVec3;
 
-use super::Control;
 use super::follow::MaskWriter;
+use super::{Control, whole};
 use crate::error::RefineError;
 use crate::id::VertexId;
 use crate::mesh::{Mesh, Neighborhood};
-use crate::parallel;
 use crate::scheme::{Scheme, WeightedSum};
 use crate::split::quadrisect::Plan;
-use crate::split::whole::Whole;
+use crate::split::whole::WholeSplit;
+use crate::split::whole::quadrisect::Whole;
 use crate::step::Parent;
 
 /// After how many new positions of a region they are stored, and the caller is asked whether to go on.
@@ -78,36 +78,13 @@ pub(super) fn append_odd<S: Scheme>(
 pub(super) fn of_whole<S: Scheme + Sync>(
     scheme: &S,
     mesh: &Mesh,
-    whole: &Whole<'_>,
+    split: &Whole<'_>,
     control: &mut Control<'_>,
 ) -> Result<Vec<DVec3>, RefineError> {
-    let (around, old) = (mesh.neighborhood().with_hubs(whole.hubs()), mesh.positions());
-    let mut new = Vec::with_capacity(old.len() + mesh.edge_count());
-    let kept = if scheme.moves_even() { 0 } else { old.len() };
-    let total = old.len() + mesh.edge_count() - kept;
-    if scheme.moves_even() {
-        for block in whole.blocks() {
-            control.report(new.len(), total)?;
-            parallel::append(&mut new, block, |v| even(scheme, around, old, VertexId::new(v)));
-        }
-    } else {
-        new.extend_from_slice(old);
-    }
-    for block in whole.blocks() {
-        let done = new.len();
-        control.report(done - kept, total)?;
-        whole.append_odd(block.clone(), &mut new, |parent| odd(scheme, around, old, &parent));
-        if let Some(k) = parallel::find(done..new.len(), |k| !new[k].is_finite()) {
-            let mut ends = Vec::new();
-            whole.append_odd(block, &mut ends, |parent| Some(parent.p));
-            return Err(RefineError::NonFinite(ends[k - done].expect("an edge has an end")));
-        }
-    }
-    // Last, as when a region is refined, so that the same vertex is to blame.
-    match parallel::find(0..old.len(), |v| !new[v].is_finite()) {
-        Some(v) => Err(RefineError::NonFinite(VertexId::new(v))),
-        None => Ok(new),
-    }
+    let (around, old) = (mesh.neighborhood().with_hubs(split.numbers().hubs()), mesh.positions());
+    let even = |v| even(scheme, around, old, v);
+    let odd = |parent| odd(scheme, around, old, &parent);
+    whole::positions(split, old, scheme.moves_even().then_some(even), odd, |parent| parent.p, control)
 }
 
 /// Writes the masks by which [`append_odd`] makes positions.
@@ -129,14 +106,14 @@ pub(super) fn show_region<S: Scheme>(
 
 /// Writes the masks by which [`of_whole`] makes positions.
 pub(super) fn show_whole<S: Scheme>(scheme: &S, mesh: &Mesh, whole: &Whole<'_>, masks: &mut MaskWriter<'_>) {
-    let around = mesh.neighborhood().with_hubs(whole.hubs());
+    let around = mesh.neighborhood().with_hubs(whole.numbers().hubs());
     for v in mesh.vertices().filter(|_| scheme.moves_even()) {
         masks.assign(v, &[], |mask| scheme.even(around, v, mask));
     }
     let mut odd = mesh.vertex_count()..;
-    for block in whole.blocks() {
+    for block in whole.numbers().owning_blocks() {
         let mut parents = Vec::new();
-        whole.append_odd(block, &mut parents, Some);
+        whole.append_new(block, &mut parents, Some);
         for (parent, k) in parents.into_iter().flatten().zip(&mut odd) {
             masks.assign(VertexId::new(k), &[parent.p, parent.q], |mask| scheme.odd(around, &parent, mask));
         }

@@ -5,6 +5,7 @@
 //!
 //! **Deliberately not here**: rings ([`crate::split`]), weights ([`crate::scheme`]).
 
+use super::whole::follow as follow_whole;
 use super::{Request, Step, positions};
 use crate::certify::{self, Certificate};
 use crate::error::RefineError;
@@ -14,7 +15,7 @@ use crate::scheme::Scheme;
 use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::quadrisect::{self, Closing, Plan};
-use crate::split::whole::Whole;
+use crate::split::whole::quadrisect::Whole;
 use crate::split::{Diagonal, Quad};
 use crate::step::{History, Lineage, SplitKind};
 
@@ -53,14 +54,7 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
 
         // From here on nothing can fail.
         control.show(old, old + new, |masks| positions::show_whole(self.scheme, mesh, &whole, masks));
-        let mut followed = scratch.take_list();
-        followed.extend_from_slice(selection.vertices());
-        if selection.len() == old {
-            followed.extend((old..old + new).map(VertexId::new));
-        } else {
-            let marks = scratch.marked(old, selection.vertices());
-            whole.append_between(selection.vertices(), |w| marks.is_set(w), &mut followed);
-        }
+        let followed = follow_whole(&whole, selection, old, scratch);
         let rings = whole.rings();
         let mut sharp: Vec<(VertexId, Edge)> =
             mesh.tags().sharp_edges().into_iter().map(|edge| (whole.on(edge), edge)).collect();
@@ -74,14 +68,14 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
             edges if edges == rotation.boundary_edge_count() => 4,
             _ => 6,
         };
-        rotation.replace_by_split(rings);
-        history.record(SplitKind::Quadrisect, old + new, std::iter::empty(), &[], max_valence);
+        rotation.replace_rings(rings, 4 * rotation.triangle_count(), 2 * rotation.boundary_edge_count());
+        history.record_whole(SplitKind::Quadrisect, old + new, max_valence);
         let certified = history.exactness_mut().map(|exactness| {
             exactness.advance(old + new, self.scheme.moves_even());
             old + new
         });
         Ok(Step {
-            selection: Selection::ascending(followed),
+            selection: followed,
             selected: selection.len(),
             region: old,
             split_edges: new,

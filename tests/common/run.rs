@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 
 use vvmesh::glam::DVec3;
-use vvmesh::scheme::{AnyScheme, Butterfly, Loop, LoopWeights, Midpoint, ModifiedButterfly};
+use vvmesh::scheme::{AnyScheme, Butterfly, FourEight, Loop, LoopWeights, Midpoint, ModifiedButterfly, Sqrt3};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
-use vvmesh::step::{History, Keep, Lineage};
+use vvmesh::step::{Blocks, History, Keep, Lineage};
 use vvmesh::subdivide::{Control, Step, Subdivider};
 use vvmesh::{Edge, Mesh, VertexId};
 
-/// Every scheme with its name.
+/// Every scheme that splits a triangle in four, with its name.
 pub fn schemes() -> [(&'static str, AnyScheme); 5] {
     [
         ("loop", Loop::default().into()),
@@ -18,6 +18,15 @@ pub fn schemes() -> [(&'static str, AnyScheme); 5] {
         ("butterfly", Butterfly.into()),
         ("modified butterfly", ModifiedButterfly.into()),
         ("midpoint", Midpoint.into()),
+    ]
+}
+
+/// Every scheme that splits otherwise, with its name.
+pub fn other_schemes() -> [(&'static str, AnyScheme); 3] {
+    [
+        ("√3", Sqrt3::default().into()),
+        ("4-8", FourEight::default().into()),
+        ("4-8 from the longest edges", FourEight::new(Blocks::LongestEdge).into()),
     ]
 }
 

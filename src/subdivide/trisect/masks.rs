@@ -3,6 +3,8 @@
 //! All is split at once. A triangle that lags moves on by what has to be split first, one link of the chain a step; in a
 //! selection that follows there is no such chain.
 
+use std::mem;
+
 use glam::DVec3;
 
 use crate::error::RefineError;
@@ -14,6 +16,20 @@ use crate::step::{History, Lineage};
 use crate::subdivide::Control;
 use crate::subdivide::positions::{BUFFERED, NO_POSITION, finite};
 
+/// What a step needs while it is made, kept from step to step.
+#[derive(Default)]
+pub(super) struct Buffers {
+    /// What has to be split instead of triangles that lag.
+    first_needed: Vec<Triangle>,
+    /// Levels of new vertices.
+    levels: Vec<u8>,
+    /// New positions that are not appended yet.
+    new: Vec<DVec3>,
+    /// The old vertices that move, and where to.
+    moving: Vec<VertexId>,
+    moved: Vec<DVec3>,
+}
+
 /// Splits triangles, or what has to be split before them, and answers the greatest valence that changed.
 ///
 /// The old vertices around which every triangle is split move, on a boundary those between two edges that are cut.
@@ -21,34 +37,37 @@ pub(super) fn split(
     scheme: &Sqrt3,
     mesh: &mut Mesh,
     history: &mut History,
-    inside: Vec<Triangle>,
+    ready: &mut Vec<Triangle>,
     plan: &mut Plan,
+    buffers: &mut Buffers,
     control: &mut Control<'_>,
 ) -> Result<usize, RefineError> {
     if history.has_motions() {
         return Err(RefineError::OtherPositions);
     }
-    let mut levels = Levels::before(history, mesh.vertex_count());
-    let mut ready = inside;
-    let mut first_needed = Vec::new();
+    let mut levels = Levels::before(history, mesh.vertex_count(), mem::take(&mut buffers.levels));
+    let first_needed = &mut buffers.first_needed;
+    first_needed.clear();
     ready.retain(|&triangle| {
         let across = |triangle| across_mate(mesh.rotation(), levels.state(triangle));
         let first = std::iter::successors(across(triangle), |&next| across(next)).last();
         first_needed.extend(first);
         first.is_none()
     });
-    add_others(&mut ready, first_needed);
+    add_others(ready, first_needed);
 
     plan.clear();
-    plan.next_pass(mesh.rotation(), &levels, ready.into_iter())?;
+    plan.next_pass(mesh.rotation(), &levels, ready.iter().copied())?;
     control.allow(plan.vertex_count, mesh.face_count(), 2 * plan.faces().len())?;
-    let moving: Vec<VertexId> = plan.moving(mesh.rotation()).collect();
-    let moved = append_new(scheme, mesh, plan, &moving, control)?;
+    buffers.moving.clear();
+    buffers.moving.extend(plan.moving(mesh.rotation()));
+    append_new(scheme, mesh, plan, buffers, control)?;
 
     // From here on nothing can fail.
+    let Buffers { moving, moved, .. } = buffers;
     control.show(mesh.rotation().vertex_count(), plan.vertex_count, |masks| {
         let around = mesh.neighborhood();
-        for &v in &moving {
+        for &v in &*moving {
             masks.assign(v, &[], |mask| scheme.even(around, v, mask));
         }
         for (x, lineage) in plan.faces().iter().flat_map(|face| face.made()) {
@@ -57,15 +76,17 @@ pub(super) fn split(
         }
     });
     let (rotation, positions, _) = mesh.parts_mut();
-    for (v, position) in moving.into_iter().zip(moved) {
+    for (v, &position) in moving.iter().zip(&*moved) {
         positions[v.index()] = position;
     }
     levels.push(plan.faces());
-    Ok(plan.apply(rotation, &levels, |_, _| {}))
+    let max_valence = plan.apply(rotation, &levels, |_, _| {});
+    buffers.levels = levels.into_list();
+    Ok(max_valence)
 }
 
 /// Adds what is not in a list in order of smallest corners.
-pub(super) fn add_others(list: &mut Vec<Triangle>, mut others: Vec<Triangle>) {
+pub(super) fn add_others(list: &mut Vec<Triangle>, others: &mut Vec<Triangle>) {
     let smallest = |triangle: &Triangle| triangle.corners()[0];
     others.sort_unstable();
     others.dedup();
@@ -74,29 +95,32 @@ pub(super) fn add_others(list: &mut Vec<Triangle>, mut others: Vec<Triangle>) {
         let alike = list[start..].iter().take_while(|other| smallest(other) == smallest(triangle));
         !alike.into_iter().any(|other| other == triangle)
     });
-    list.extend(others);
+    list.append(others);
 }
 
-/// Appends the positions of the new vertices, and answers those of the ones that move. After an error they are as before.
+/// Appends the positions of the new vertices, and leaves those of the ones that move in the buffers. After an error they are as
+/// before.
 fn append_new(
     scheme: &Sqrt3,
     mesh: &mut Mesh,
     plan: &Plan,
-    moving: &[VertexId],
+    buffers: &mut Buffers,
     control: &mut Control<'_>,
-) -> Result<Vec<DVec3>, RefineError> {
+) -> Result<(), RefineError> {
     let (rotation, positions, tags) = mesh.parts_mut();
     let around = Neighborhood::new(rotation, tags);
+    let Buffers { new: buffer, moving, moved, .. } = buffers;
+    buffer.clear();
+    moved.clear();
     let old = positions.len();
     let new = plan.vertex_count - old;
     let total = new + moving.len();
     let mut compute = || {
         positions.reserve(new);
-        let mut buffer = Vec::with_capacity(BUFFERED.min(new));
         // A few at a time, as what is appended to can not be read from; the buffer stays in the cache.
         for (done, (_, lineage)) in plan.faces().iter().flat_map(|face| face.made()).enumerate() {
             if done % BUFFERED == 0 {
-                positions.append(&mut buffer);
+                positions.append(buffer);
                 control.report(done, total)?;
             }
             let mut sum = WeightedSum::new(|v: VertexId| positions[v.index()]);
@@ -104,9 +128,8 @@ fn append_new(
             let to_blame = lineage.vertices().next();
             buffer.push(finite(sum.total().unwrap_or(NO_POSITION), to_blame.expect("it was made of something"))?);
         }
-        positions.append(&mut buffer);
-        let mut moved = Vec::with_capacity(moving.len());
-        for &v in moving {
+        positions.append(buffer);
+        for &v in &*moving {
             if moved.len() % BUFFERED == 0 {
                 control.report(new + moved.len(), total)?;
             }
@@ -114,18 +137,18 @@ fn append_new(
             scheme.even(around, v, &mut sum);
             moved.push(finite(sum.total().unwrap_or(NO_POSITION), v)?);
         }
-        Ok(moved)
+        Ok(())
     };
-    let moved = compute();
-    if moved.is_err() {
+    let computed = compute();
+    if computed.is_err() {
         positions.truncate(old);
     }
-    moved
+    computed
 }
 
 /// Writes the mask of a new vertex.
 #[inline]
-fn odd(scheme: &Sqrt3, around: Neighborhood<'_>, lineage: Lineage, mask: &mut impl MaskSink) {
+pub(super) fn odd(scheme: &Sqrt3, around: Neighborhood<'_>, lineage: Lineage, mask: &mut impl MaskSink) {
     match lineage {
         Lineage::Face(corners) => scheme.center(corners, mask),
         Lineage::Third { near, far } => scheme.third(around, near, far, mask),

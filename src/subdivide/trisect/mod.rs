@@ -28,7 +28,9 @@ mod closed_form;
 mod masks;
 mod passes;
 mod points;
+mod whole;
 
+use super::whole::is_plain;
 use super::{Request, Step};
 use crate::error::RefineError;
 use crate::id::{Edge, Triangle, VertexId};
@@ -41,12 +43,19 @@ use crate::step::{Region, RegionKind, SplitKind};
 
 /// Refines the triangles inside of a region; `exact` if its method promises exactness.
 pub(super) fn step(scheme: &Sqrt3, exact: bool, request: Request<'_, '_>) -> Result<Step, RefineError> {
+    if exact && is_plain(&request) {
+        return whole::step(scheme, request);
+    }
     let Request { mesh, history, selection, region, scratch, control } = request;
+    let mut buffers = scratch.take::<Buffers>();
+    let Buffers { plan, inside, masks } = &mut *buffers;
     let vertices = region.vertices(mesh.vertex_count());
-    let inside = triangles(mesh.rotation(), region, &vertices, scratch);
-    let mut plan = scratch.take::<Plan>();
-    let split = if exact { masks::split } else { passes::split };
-    let split = split(scheme, mesh, history, inside, &mut plan, control);
+    list_triangles(mesh.rotation(), region, &vertices, scratch, inside);
+    let split = if exact {
+        masks::split(scheme, mesh, history, inside, plan, masks, control)
+    } else {
+        passes::split(scheme, mesh, history, inside, plan, control)
+    };
     let step = split.map(|max_valence| {
         let made = plan.faces().iter().flat_map(|face| face.made().map(|(_, lineage)| (face.level, lineage)));
         history.record(SplitKind::Trisect, mesh.vertex_count(), made, &[], max_valence);
@@ -58,25 +67,35 @@ pub(super) fn step(scheme: &Sqrt3, exact: bool, request: Request<'_, '_>) -> Res
             ..Step::default()
         }
     });
-    scratch.give(plan);
+    scratch.give(buffers);
     step
 }
 
-/// The triangles inside of a region, in order of (smallest corner, slot).
-fn triangles(
+/// What a step needs while it is made, kept from step to step.
+#[derive(Default)]
+struct Buffers {
+    plan: Plan,
+    inside: Vec<Triangle>,
+    masks: masks::Buffers,
+}
+
+/// Lists the triangles inside of a region, in order of (smallest corner, slot).
+fn list_triangles(
     rotation: &RotationSystem,
     region: &Region,
     vertices: &[VertexId],
     scratch: &mut Scratch,
-) -> Vec<Triangle> {
+    list: &mut Vec<Triangle>,
+) {
+    list.clear();
     let of = |v: &VertexId| rotation.triangles_of_smallest(*v);
     match region.kind() {
         RegionKind::Stars(_) => unreachable!("only the split in four is made around vertices"),
-        RegionKind::Everything => rotation.triangles().collect(),
+        RegionKind::Everything => list.extend(rotation.triangles()),
         RegionKind::Induced(_) => {
             let marks = scratch.marked(rotation.vertex_count(), vertices);
             let inside = |triangle: &Triangle| triangle.corners().iter().all(|&v| marks.is_set(v));
-            vertices.iter().flat_map(of).filter(inside).collect()
+            list.extend(vertices.iter().flat_map(of).filter(inside));
         }
         RegionKind::Edges(edges) => {
             let has = |a, b| edges.binary_search(&Edge::new(a, b)).is_ok();
@@ -84,7 +103,7 @@ fn triangles(
                 let [a, b, c] = triangle.corners();
                 has(a, b) && has(b, c) && has(c, a)
             };
-            vertices.iter().flat_map(of).filter(inside).collect()
+            list.extend(vertices.iter().flat_map(of).filter(inside));
         }
     }
 }

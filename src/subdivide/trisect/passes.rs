@@ -31,7 +31,7 @@ pub(super) fn split(
     scheme: &Sqrt3,
     mesh: &mut Mesh,
     history: &mut History,
-    inside: Vec<Triangle>,
+    inside: &[Triangle],
     plan: &mut Plan,
     control: &mut Control<'_>,
 ) -> Result<usize, RefineError> {
@@ -48,7 +48,7 @@ pub(super) fn split(
         None => return Err(RefineError::OtherPositions),
     };
     plan.clear();
-    let levels = Levels::before(history, first);
+    let levels = Levels::before(history, first, Vec::new());
     let mut undo = Undo::default();
     let mut passes = Passes { scheme, mesh, levels, plan, points: &mut points, undo: &mut undo, first, max_valence: 0 };
     let split = passes.split(inside, control);
@@ -107,16 +107,16 @@ struct Passes<'a> {
 
 impl Passes<'_> {
     /// Splits these triangles; instead of one that lags, the one across its mate.
-    fn split(&mut self, inside: Vec<Triangle>, control: &mut Control<'_>) -> Result<usize, RefineError> {
+    fn split(&mut self, inside: &[Triangle], control: &mut Control<'_>) -> Result<usize, RefineError> {
         let lags = |triangle: &Triangle| across_mate(self.mesh.rotation(), self.levels.state(*triangle)).is_some();
-        let (mut lagging, mut ready): (Vec<Triangle>, Vec<Triangle>) = inside.into_iter().partition(lags);
+        let (mut lagging, mut ready): (Vec<Triangle>, Vec<Triangle>) = inside.iter().copied().partition(lags);
         loop {
             // What is split is there no more, nor is what lagged and was completed.
             lagging.retain(|&triangle| self.exists(triangle));
             ready.retain(|&triangle| self.exists(triangle));
-            let across = lagging.iter().filter_map(|&triangle| self.across_mate(triangle)).collect();
+            let mut across = lagging.iter().filter_map(|&triangle| self.across_mate(triangle)).collect();
             let mut wanted = ready.clone();
-            add_others(&mut wanted, across);
+            add_others(&mut wanted, &mut across);
             let mut early: Vec<Triangle> = wanted.iter().filter_map(|&triangle| self.first_needed(triangle)).collect();
             if early.is_empty() {
                 self.pass(wanted, control)?;

@@ -37,12 +37,15 @@
 //!
 //! **Deliberately not here**: the masks ([`FourEight`]).
 
+mod whole;
+
 use std::ops::Range;
 
 use glam::DVec3;
 
 use super::follow::ValueId;
 use super::positions::{NO_POSITION, finite};
+use super::whole::is_plain;
 use super::{Control, Request, Step};
 use crate::error::RefineError;
 use crate::id::{Edge, VertexId};
@@ -62,8 +65,11 @@ const REPORTED: usize = 1 << 10;
 /// The number of the one value that is kept beside that of a vertex: of a generation before.
 const EARLIER: u8 = 0;
 
-/// Refines a region.
+/// Refines a region, or the whole mesh.
 pub(super) fn step(scheme: &FourEight, request: Request<'_, '_>) -> Result<Step, RefineError> {
+    if request.history.step_count() > 0 && is_plain(&request) {
+        return whole::step(scheme, request);
+    }
     let Request { mesh, history, selection, region, scratch, control } = request;
     let first_step = history.bisections().is_none().then(|| Bisections {
         blocks: input_blocks(mesh.rotation(), scheme.blocks(), |v, w| {
@@ -333,7 +339,7 @@ impl<'a> Passes<'a> {
         match plan.along_boundary(v, generation) {
             Some(middles) => self.scheme.boundary(v, middles, mask),
             None if is_open => mask.group(1.0, [v]),
-            None => self.scheme.even(v, exterior, mask),
+            None => self.scheme.even(v, exterior.iter().copied(), mask),
         }
     }
 
