@@ -1,4 +1,4 @@
-//! 5. Where subdivision ends: the limit of a vertex, and any point of the Loop surface with its derivatives.
+//! 7. Where subdivision ends: the limit of a vertex, and any point of the Loop surface with its derivatives.
 
 use std::error::Error;
 use std::io::{self, Write};

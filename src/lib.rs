@@ -135,6 +135,13 @@
 //!
 #![doc = include_str!("../docs/half-steps.svg")]
 //!
+//! **Apex, refinement edge, block**: under 4-8, the youngest corner of a triangle; the edge opposite to it, at which the
+//! triangle is bisected next; the two triangles that have one refinement edge in common, at a boundary a *half block* of one.
+//! All other edges are *exterior*. The level of the apex is the *generation* of the triangle; input triangles, of generation 0,
+//! are paired to blocks by a matching.
+//!
+#![doc = include_str!("../docs/blocks.svg")]
+//!
 //! **Level, depth**: how many steps made a vertex or a mesh; how often a triangle was refined.
 //!
 #![doc = include_str!("../docs/levels.svg")]

@@ -26,6 +26,7 @@ examples! {
     texture, "../examples/06_texture_coordinates.rs", "5 of 5 vertices on the seam";
     limit, "../examples/07_limit.rs", "from its first corner";
     predict, "../examples/08_predict.rs", "is proven";
+    finer, "../examples/09_sqrt3_and_four_eight.rs", "[192, 576, 1728, 5184] faces";
 }
 
 #[test]

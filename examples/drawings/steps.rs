@@ -3,7 +3,7 @@
 use vvmesh::adaptive::{Incremental, Simple, Uniform};
 use vvmesh::error::Error;
 use vvmesh::mesh::VertexClass;
-use vvmesh::scheme::{Loop, Mask, Midpoint, Scheme, Sqrt3};
+use vvmesh::scheme::{FourEight, Loop, Mask, Midpoint, Scheme, Sqrt3};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Disk, Selection};
 use vvmesh::step::{History, Keep, Parent};
@@ -21,6 +21,7 @@ pub(crate) fn all() -> Result<Vec<(&'static str, String)>, Error> {
         ("region", region()?),
         ("closing", closing()?),
         ("half-steps", half_steps()?),
+        ("blocks", blocks()?),
         ("levels", levels()?),
         ("conforming", conforming()),
     ])
@@ -142,6 +143,22 @@ fn half_steps() -> Result<String, Error> {
     sheet.edges(mesh.edges().filter(is_mate), ink::ORANGE);
     sheet.dots(mesh.vertices().skip(before.vertex_count()), ink::BLUE);
     sheet.caption("odd triangles blue, their mates orange");
+    Ok(sheet.finish())
+}
+
+/// One step of 4-8.
+fn blocks() -> Result<String, Error> {
+    let (mut mesh, _) = hexagon(2);
+    let mut history = History::new(&mesh, Keep::default());
+    let before = mesh.vertex_count();
+    let (subdivider, control) = (Subdivider::new(FourEight::default(), Uniform), &mut Control::default());
+    subdivider.step(&mut mesh, &mut history, &Selection::empty(), &mut Scratch::new(), control)?;
+    let mut sheet = Sheet::new(&mesh);
+    // Each triangle has one new corner, and opposite to it an edge between old ones.
+    let is_refinement_edge = |edge: &Edge| edge.ends().iter().all(|v| v.index() < before);
+    sheet.edges(mesh.edges().filter(is_refinement_edge), ink::ORANGE);
+    sheet.dots(mesh.vertices().skip(before), ink::BLUE);
+    sheet.caption("apexes blue, refinement edges orange");
     Ok(sheet.finish())
 }
 

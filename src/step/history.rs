@@ -30,7 +30,7 @@ pub struct History {
     /// How many vertices there were before each step; the first entry counts the input vertices.
     starts: Vec<usize>,
     max_valence: usize,
-    /// Whether every step refined the whole mesh.
+    /// Whether every step refined the whole mesh; of splits in four nobody asks.
     whole: bool,
     /// What all steps were, from the first on.
     kind: Option<SplitKind>,
