@@ -1,15 +1,16 @@
 //! Does a step on a region cost what the region costs, whatever the size of the mesh?
 //!
 //! Incremental Loop steps on a disk of radius 3, which refine a region of radius 4 with 96 triangles, in tori of ten
-//! thousand, a hundred thousand and a million triangles. Every step is at another place, chosen at random, so that neither
+//! thousand, a hundred thousand, a million and ten million triangles, and the same steps of √3 and 4-8 in a hundred thousand. Every step is at another place, chosen at random, so that neither
 //! rings nor positions are in the cache because the step before used them. A step changes the mesh; when a tenth of it was
 //! refined, it is replaced by a fresh copy. Copying is not timed, selecting the disk is.
 
 use std::time::{Duration, Instant};
 
-use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, BenchmarkId, Criterion, criterion_group, criterion_main};
 use vvmesh::adaptive::Incremental;
-use vvmesh::scheme::Loop;
+use vvmesh::scheme::{AnyScheme, FourEight, Loop, Sqrt3};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion as _, Disk};
 use vvmesh::step::{History, Keep};
@@ -20,52 +21,60 @@ use vvmesh::{Mesh, VertexId, shapes};
 struct Places(u64);
 
 impl Places {
-    fn next(&mut self, mesh: &Mesh) -> VertexId {
+    /// One of so many vertices.
+    fn next(&mut self, vertices: usize) -> VertexId {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        VertexId::new((self.0 >> 33) as usize % mesh.vertex_count())
+        VertexId::new((self.0 >> 33) as usize % vertices)
     }
 }
 
 fn adaptive(criterion: &mut Criterion) {
-    let subdivider = Subdivider::new(Loop::default(), Incremental::new(1).expect("one ring is allowed"));
     let mut group = criterion.benchmark_group("adaptive/disk-of-96");
     group.sample_size(50).measurement_time(Duration::from_secs(2)).warm_up_time(Duration::from_secs(1));
-    for (along, around) in [(100, 50), (316, 158), (1000, 500), (3162, 1581)] {
-        let coarse = shapes::torus(along, around, 2.0, 1.0);
-        let fresh = History::new(&coarse, Keep::default());
-        let (mut places, mut scratch, mut control) = (Places(1), Scratch::new(), Control::default());
-        let steps_a_copy = coarse.face_count() as u64 / 1000;
-        // Room for the growing mesh's marks; they are made once in a program's life.
-        let _ = scratch.marks(2 * coarse.vertex_count(), 1);
-        group.bench_function(BenchmarkId::from_parameter(coarse.face_count()), |bencher| {
-            bencher.iter_custom(|iterations| {
-                let mut spent = Duration::ZERO;
-                let mut left = iterations;
-                while left > 0 {
-                    // One step before the clock is read: the first growth of a copied vector moves all of it.
-                    let (mut mesh, mut history) = (coarse.clone(), fresh.clone());
-                    let mut step = |mesh: &mut Mesh| {
-                        let center = places.next(&coarse);
-                        let start = Instant::now();
-                        let selection =
-                            Disk::new(center, 3).select(mesh, &mut scratch).expect("the vertex is one of the mesh");
-                        let step = subdivider
-                            .step(mesh, &mut history, &selection, &mut scratch, &mut control)
-                            .expect("a torus can be refined");
-                        step.recycle(&mut scratch);
-                        start.elapsed()
-                    };
-                    step(&mut mesh);
-                    for _ in 0..left.min(steps_a_copy) {
-                        spent += step(&mut mesh);
-                    }
-                    left -= left.min(steps_a_copy);
-                }
-                spent
-            });
-        });
+    for [along, around] in [[100, 50], [316, 158], [1000, 500], [3162, 1581]] {
+        local_steps(&mut group, "loop", &Loop::default().into(), shapes::torus(along, around, 2.0, 1.0));
+    }
+    for (name, scheme) in [("sqrt3", Sqrt3::default().into()), ("four-eight", FourEight::default().into())] {
+        local_steps(&mut group, name, &scheme, shapes::torus(316, 158, 2.0, 1.0));
     }
     group.finish();
+}
+
+fn local_steps(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, scheme: &AnyScheme, mut coarse: Mesh) {
+    let subdivider = Subdivider::new(scheme.clone(), Incremental::new(1).expect("one ring is allowed"));
+    let (vertices, faces) = (coarse.vertex_count(), coarse.face_count());
+    let (mut places, mut scratch, mut control) = (Places(1), Scratch::new(), Control::default());
+    let steps_a_copy = faces as u64 / 1000;
+    // Room for the growing mesh's marks; they are made once in a program's life.
+    let _ = scratch.marks(2 * vertices, 1);
+    let mut step = |mesh: &mut Mesh, history: &mut History| {
+        let center = places.next(vertices);
+        let start = Instant::now();
+        let selection = Disk::new(center, 3).select(mesh, &mut scratch).expect("the vertex is one of the mesh");
+        let step =
+            subdivider.step(mesh, history, &selection, &mut scratch, &mut control).expect("a torus can be refined");
+        step.recycle(&mut scratch);
+        start.elapsed()
+    };
+    // The first step of 4-8 pairs all triangles.
+    let mut fresh = History::new(&coarse, Keep::default());
+    step(&mut coarse, &mut fresh);
+    group.bench_function(BenchmarkId::new(name, faces), |bencher| {
+        bencher.iter_custom(|iterations| {
+            let mut spent = Duration::ZERO;
+            let mut left = iterations;
+            while left > 0 {
+                // One step before the clock is read: the first growth of a copied vector moves all of it.
+                let (mut mesh, mut history) = (coarse.clone(), fresh.clone());
+                step(&mut mesh, &mut history);
+                for _ in 0..left.min(steps_a_copy) {
+                    spent += step(&mut mesh, &mut history);
+                }
+                left -= left.min(steps_a_copy);
+            }
+            spent
+        });
+    });
 }
 
 criterion_group!(benches, adaptive);
