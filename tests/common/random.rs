@@ -26,6 +26,8 @@ pub fn check_up_to(size: usize, seed: u64, tests: u64, property: impl Testable) 
     QuickCheck::new()
         .rng(Gen::from_size_and_seed(size, seed))
         .tests(tests)
+        // Else there are 10,000 at most, of which those that a property turns down are no tests.
+        .max_tests(tests.saturating_mul(100))
         .min_tests_passed(tests)
         .quickcheck(property);
 }
