@@ -9,14 +9,13 @@
 //!
 //! **Deliberately not here**: what has to be split so that a star is complete; see [`super::passes`].
 
-use super::points::{Points, add};
+use super::points::{PointSum, Points};
 use crate::id::VertexId;
 use crate::mesh::Mesh;
 use crate::rotation::RotationSystem;
-use crate::scheme::{Mask, MaskSink, Sqrt3};
+use crate::scheme::Sqrt3;
 use crate::split::trisect::{Face, Levels};
-use crate::step::{Motion, Motions};
-use crate::subdivide::ValueId;
+use crate::step::Motion;
 
 /// The valence of every inner vertex that is not an input vertex, once its star is whole and off the boundary.
 const REGULAR: usize = 6;
@@ -29,14 +28,14 @@ pub(super) fn push_input(scheme: &Sqrt3, mesh: &Mesh, points: &mut Points) {
     for v in mesh.vertices() {
         match mesh.ring(v).neighbors() {
             &[after, .., before] if mesh.is_boundary(v) => {
-                points.make(v, Motion::BEFORE, |motions, mask| add(mask, 1.0, before, motions.at(before, 0)));
-                points.make(v, Motion::AFTER, |motions, mask| add(mask, 1.0, after, motions.at(after, 0)));
+                points.make(v, Motion::BEFORE, |sum| sum.add(1.0, before, 0));
+                points.make(v, Motion::AFTER, |sum| sum.add(1.0, after, 0));
                 points.motions.set(v, Motion::Boundary { since: 0 });
             }
             neighbors => {
                 let n = neighbors.len();
-                settle_inner(scheme, points, v, Motion::BIRTH, 0, n, |motions, scale, mask| {
-                    neighbors.iter().for_each(|&w| add(mask, scale, w, motions.at(w, 0)));
+                settle_inner(scheme, points, v, Motion::BIRTH, 0, n, |sum, part| {
+                    neighbors.iter().for_each(|&w| sum.add(part, w, 0));
                 });
             }
         }
@@ -50,17 +49,17 @@ pub(super) fn push(points: &mut Points, face: &Face) {
         for _ in [p, q] {
             points.motions.push(Motion::Boundary { since: level });
         }
-        points.make(p, Motion::BIRTH, |motions, mask| add(mask, 1.0, a, motions.along(a, level)[1]));
-        points.make(q, Motion::BIRTH, |motions, mask| add(mask, 1.0, b, motions.along(b, level)[0]));
-        points.make(p, Motion::BEFORE, |motions, mask| add(mask, 1.0, a, motions.at(a, level)));
-        points.make(p, Motion::AFTER, |motions, mask| add(mask, 1.0, q, motions.at(q, level)));
-        points.make(q, Motion::BEFORE, |motions, mask| add(mask, 1.0, p, motions.at(p, level)));
-        points.make(q, Motion::AFTER, |motions, mask| add(mask, 1.0, b, motions.at(b, level)));
+        points.make(p, Motion::BIRTH, |sum| sum.add_after(1.0, a, level));
+        points.make(q, Motion::BIRTH, |sum| sum.add_before(1.0, b, level));
+        points.make(p, Motion::BEFORE, |sum| sum.add(1.0, a, level));
+        points.make(p, Motion::AFTER, |sum| sum.add(1.0, q, level));
+        points.make(q, Motion::BEFORE, |sum| sum.add(1.0, p, level));
+        points.make(q, Motion::AFTER, |sum| sum.add(1.0, b, level));
     } else {
         points.motions.push(Motion::Open);
         for (x, _) in face.made() {
-            points.make(x, Motion::BIRTH, |motions, mask| {
-                face.corners.iter().for_each(|&v| add(mask, 1.0 / 3.0, v, motions.at(v, level - 1)));
+            points.make(x, Motion::BIRTH, |sum| {
+                face.corners.iter().for_each(|&v| sum.add(1.0 / 3.0, v, level - 1));
             });
         }
     }
@@ -74,32 +73,32 @@ pub(super) fn push(points: &mut Points, face: &Face) {
 pub(super) fn settle(scheme: &Sqrt3, points: &mut Points, rotation: &RotationSystem, levels: &Levels<'_>, v: VertexId) {
     let (ring, level) = (rotation.ring(v), levels.of(v));
     if ring.valence() == REGULAR {
-        settle_inner(scheme, points, v, Motion::BIRTH, level, REGULAR, |motions, scale, mask| {
-            ring.iter().for_each(|w| add(mask, scale, w, motions.at(w, level)));
+        settle_inner(scheme, points, v, Motion::BIRTH, level, REGULAR, |sum, part| {
+            ring.iter().for_each(|w| sum.add(part, w, level));
         });
         return;
     }
     let alpha = scheme.alpha(ring.valence());
-    points.make(v, Motion::START, |motions, mask| {
-        add(mask, 1.0 - alpha, v, motions.at(v, level));
-        let scale = alpha / ring.valence() as f64;
-        ring.iter().for_each(|w| add(mask, scale, w, motions.at(w, level)));
+    points.make(v, Motion::START, |sum| {
+        sum.add_point(1.0 - alpha, v, Motion::BIRTH);
+        let part = alpha / ring.valence() as f64;
+        ring.iter().for_each(|w| sum.add(part, w, level));
     });
     let is_parent = |w| levels.of(w) < level;
-    settle_inner(scheme, points, v, Motion::START, level + 1, REGULAR, |motions, scale, mask| {
+    settle_inner(scheme, points, v, Motion::START, level + 1, REGULAR, |sum, part| {
         for (a, b) in ring.pairs() {
             if is_parent(a) && is_parent(b) {
-                add(mask, scale, a, motions.along(a, level + 1)[1]);
-                add(mask, scale, b, motions.along(b, level + 1)[0]);
+                sum.add_after(part, a, level + 1);
+                sum.add_before(part, b, level + 1);
             } else {
-                [v, a, b].into_iter().for_each(|w| add(mask, scale / 3.0, w, motions.at(w, level)));
+                [v, a, b].into_iter().for_each(|w| sum.add(part / 3.0, w, level));
             }
         }
     });
 }
 
-/// Settles the motion of an inner vertex from a level on, at which it is at a point and has `n` neighbours. Their sum is
-/// written by `write`, times a number.
+/// Settles the motion of an inner vertex from a level on, at which it is at a point and has `n` neighbours; `add_all` adds
+/// a part of each of them.
 fn settle_inner(
     scheme: &Sqrt3,
     points: &mut Points,
@@ -107,13 +106,13 @@ fn settle_inner(
     start: u8,
     since: u8,
     n: usize,
-    write: impl FnOnce(&Motions, f64, &mut Mask<ValueId>),
+    add_all: impl FnOnce(&mut PointSum<'_>, f64),
 ) {
     let alpha = scheme.alpha(n);
     let beta = 3.0 * alpha / (1.0 + 3.0 * alpha);
-    points.make(v, Motion::LIMIT, |motions, mask| {
-        mask.group(1.0 - beta, [ValueId::Kept(v, start)]);
-        write(motions, beta / n as f64, mask);
+    points.make(v, Motion::LIMIT, |sum| {
+        sum.add_point(1.0 - beta, v, start);
+        add_all(sum, beta / n as f64);
     });
     points.motions.set(v, Motion::Inner { since, start, rate: 2.0 / 3.0 - alpha });
 }

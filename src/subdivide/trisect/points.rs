@@ -8,7 +8,7 @@
 use glam::DVec3;
 
 use crate::id::VertexId;
-use crate::scheme::{Mask, MaskSink};
+use crate::scheme::MaskSink;
 use crate::step::{Lineage, Motion, Motions, Weights};
 use crate::subdivide::ValueId;
 use crate::subdivide::follow::MaskWriter;
@@ -16,100 +16,116 @@ use crate::subdivide::follow::MaskWriter;
 /// The motions of all vertices, and what this step adds to them.
 pub(super) struct Points {
     pub(super) motions: Motions,
-    mask: Mask<ValueId>,
     /// If somebody follows.
     script: Option<Script>,
 }
 
 impl Points {
     pub(super) fn new(motions: Motions, is_followed: bool) -> Self {
-        Self { motions, mask: Mask::default(), script: is_followed.then(Script::default) }
+        Self { motions, script: is_followed.then(Script::default) }
     }
 
     /// Appends an input vertex, born where it is shown.
     pub(super) fn push_input(&mut self, v: VertexId, position: DVec3) {
         self.motions.push(Motion::Open);
         self.motions.set_point(v, Motion::BIRTH, position);
-        self.mask.clear();
-        self.mask.group(1.0, [ValueId::Shown(v)]);
-        self.write_down(ValueId::Kept(v, Motion::BIRTH), None);
+        if let Some(script) = &mut self.script {
+            script.terms.push((1.0, ValueId::Shown(v)));
+            script.close(ValueId::Kept(v, Motion::BIRTH), None);
+        }
     }
 
-    /// Makes a point of others.
-    pub(super) fn make(&mut self, v: VertexId, number: u8, write: impl FnOnce(&Motions, &mut Mask<ValueId>)) -> DVec3 {
-        let point = self.apply(write);
+    /// Makes a point of others, of which there are some.
+    pub(super) fn make(&mut self, v: VertexId, number: u8, write: impl FnOnce(&mut PointSum<'_>)) {
+        let point = self.sum(ValueId::Kept(v, number), None, write);
         self.motions.set_point(v, number, point);
-        self.write_down(ValueId::Kept(v, number), None);
-        point
     }
 
     /// Where a vertex is to be shown: at a level, and if it is new, with what it was made of.
     pub(super) fn show(&mut self, v: VertexId, level: u8, lineage: Option<Lineage>) -> DVec3 {
-        let position = self.apply(|motions, mask| add(mask, 1.0, v, motions.at(v, level)));
-        self.write_down(ValueId::Shown(v), lineage);
-        position
+        self.sum(ValueId::Shown(v), lineage, |sum| sum.add(1.0, v, level))
     }
 
-    /// What was made in this step, in order; nothing if nobody follows.
+    /// What was made in this step; nothing if nobody follows.
     pub(super) fn script(&self) -> &Script {
-        const EMPTY: &Script = &Script { made: Vec::new(), groups: Vec::new(), values: Vec::new() };
+        const EMPTY: &Script = &Script { made: Vec::new(), terms: Vec::new() };
         self.script.as_ref().unwrap_or(EMPTY)
     }
 
-    fn apply(&mut self, write: impl FnOnce(&Motions, &mut Mask<ValueId>)) -> DVec3 {
-        let Self { motions, mask, .. } = self;
-        mask.clear();
-        write(motions, mask);
-        mask.apply(|id| match id {
-            ValueId::Kept(v, number) => motions.point(v, number),
-            ValueId::Shown(_) => unreachable!("points are made of points"),
-        })
-    }
-
-    fn write_down(&mut self, id: ValueId, lineage: Option<Lineage>) {
+    fn sum(&mut self, id: ValueId, lineage: Option<Lineage>, write: impl FnOnce(&mut PointSum<'_>)) -> DVec3 {
+        let mut sum = PointSum { motions: &self.motions, total: None, script: self.script.as_mut() };
+        write(&mut sum);
+        let total = sum.total;
         if let Some(script) = &mut self.script {
-            script.push(id, lineage, &self.mask);
+            script.close(id, lineage);
         }
+        total.expect("a point is made of some")
     }
 }
 
-/// Adds to a mask `scale` times where a vertex or a neighbour of it is.
-pub(super) fn add(mask: &mut Mask<ValueId>, scale: f64, v: VertexId, weights: Weights) {
-    for (number, weight) in (0..).zip(weights).filter(|(_, weight)| *weight != 0.0) {
-        mask.group(scale * weight, [ValueId::Kept(v, number)]);
+/// A weighted sum of points, term by term; a mask of as many groups, with the same bits.
+pub(super) struct PointSum<'a> {
+    motions: &'a Motions,
+    total: Option<DVec3>,
+    script: Option<&'a mut Script>,
+}
+
+impl PointSum<'_> {
+    /// Adds a part of where a vertex is at a level.
+    pub(super) fn add(&mut self, part: f64, v: VertexId, level: u8) {
+        self.add_weights(part, v, self.motions.at(v, level));
+    }
+
+    /// Adds a part of where the neighbour before a boundary vertex is at a level.
+    pub(super) fn add_before(&mut self, part: f64, v: VertexId, level: u8) {
+        self.add_weights(part, v, self.motions.along(v, level)[0]);
+    }
+
+    /// The same of the neighbour after it.
+    pub(super) fn add_after(&mut self, part: f64, v: VertexId, level: u8) {
+        self.add_weights(part, v, self.motions.along(v, level)[1]);
+    }
+
+    /// Adds a part of a point.
+    pub(super) fn add_point(&mut self, part: f64, v: VertexId, number: u8) {
+        let term = part * self.motions.point(v, number);
+        self.total = Some(self.total.map_or(term, |total| total + term));
+        if let Some(script) = &mut self.script {
+            script.terms.push((part, ValueId::Kept(v, number)));
+        }
+    }
+
+    fn add_weights(&mut self, part: f64, v: VertexId, weights: Weights) {
+        for (number, weight) in (0..).zip(weights).filter(|(_, weight)| *weight != 0.0) {
+            self.add_point(part * weight, v, number);
+        }
     }
 }
 
 /// Masks in the order in which they were applied.
 #[derive(Default)]
 pub(super) struct Script {
-    /// What was made, if it is a new vertex of what, and of how many groups.
+    /// What was made, if it is a new vertex of what, and where its terms end.
     made: Vec<(ValueId, Option<Lineage>, usize)>,
-    /// The weight of each group, and of how many values.
-    groups: Vec<(f64, usize)>,
-    values: Vec<ValueId>,
+    terms: Vec<(f64, ValueId)>,
 }
 
 impl Script {
-    fn push(&mut self, id: ValueId, lineage: Option<Lineage>, mask: &Mask<ValueId>) {
-        self.made.push((id, lineage, mask.groups().len()));
-        for (weight, values) in mask.groups() {
-            self.groups.push((*weight, values.len()));
-            self.values.extend_from_slice(values);
-        }
+    /// Ends a mask, which makes this value.
+    fn close(&mut self, id: ValueId, lineage: Option<Lineage>) {
+        self.made.push((id, lineage, self.terms.len()));
     }
 
     /// Shows the masks, each in a pass of its own.
     pub(super) fn play(&self, masks: &mut MaskWriter<'_>) {
-        let (mut groups, mut values) = (self.groups.iter(), self.values.iter().copied());
-        for &(id, lineage, group_count) in &self.made {
+        let mut start = 0;
+        for &(id, lineage, end) in &self.made {
             let parents: Vec<VertexId> = lineage.iter().flat_map(Lineage::vertices).collect();
             masks.assign_value(id, &parents, |mask| {
-                for &(weight, value_count) in groups.by_ref().take(group_count) {
-                    mask.group(weight, values.by_ref().take(value_count));
-                }
+                self.terms[start..end].iter().for_each(|&(weight, value)| mask.group(weight, [value]));
             });
             masks.next_pass();
+            start = end;
         }
     }
 }
