@@ -206,7 +206,7 @@ impl Subdivider {
     ///     selection = step.selection;
     /// }
     /// let unclosed = history.unclosed(&mesh).expect("a step was made");
-    /// assert_eq!((history.step_count(), unclosed.face_count()), (2, 1152));
+    /// assert_eq!((history.step_count(), unclosed.face_count()), (2, 1296));
     /// assert!(mesh.face_count() > unclosed.face_count());
     /// # Ok::<(), vvmesh::error::Error>(())
     /// ```
