@@ -7,12 +7,16 @@
 //!
 //! What is not certified may be equal all the same; [`Certificate::cause`] tells what the proof broke at.
 //!
+//! On a hierarchy nothing is carried: every vertex is where uniform refinement of some number of levels has it, and the
+//! hierarchy tells of how many ([`Certificate::exact_level`]).
+//!
 //! **Deliberately not here**: comparing with a uniform mesh, which would have to be made.
 
 use crate::id::VertexId;
 use crate::mesh::Mesh;
 use crate::scheme::Reach;
 use crate::select::Selection;
+use crate::split::hierarchy::{Levels, Shown};
 use crate::split::quadrisect::{Closing, Plan};
 use crate::step::{Cause, Exactness, History, Proof, Spoiler};
 
@@ -20,14 +24,41 @@ use crate::step::{Cause, Exactness, History, Proof, Spoiler};
 #[derive(Clone, Copy, Debug)]
 pub struct Certificate<'a> {
     mesh: &'a Mesh,
-    exactness: &'a Exactness,
+    proof: Source<'a>,
+}
+
+/// Where it is known from.
+#[derive(Clone, Copy, Debug)]
+enum Source<'a> {
+    /// Facts that steps handed on, so many of them.
+    Facts(&'a Exactness, usize),
+    /// Levels at which stars are complete, after so many steps.
+    Levels(Levels<'a>, usize),
 }
 
 impl<'a> Certificate<'a> {
     /// The certificate of a mesh and its history; `None` if the history keeps none.
     #[must_use]
     pub fn new(mesh: &'a Mesh, history: &'a History) -> Option<Self> {
-        history.exactness().map(|exactness| Self { mesh, exactness })
+        let (exactness, steps) = (history.exactness()?, history.step_count());
+        let proof = match history.refinement() {
+            Some(refinement) => Source::Levels(Levels::new(mesh.rotation(), &refinement.hierarchy), steps),
+            None => Source::Facts(exactness, steps),
+        };
+        Some(Self { mesh, proof })
+    }
+
+    /// The number of levels of uniform refinement that is proven to put the vertex where it is; `None` if nothing is. On a
+    /// hierarchy every vertex has one. O(valence), there times the number of levels.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    #[must_use]
+    pub fn exact_level(&self, v: VertexId) -> Option<usize> {
+        match self.proof {
+            Source::Facts(exactness, steps) => exactness.holds(Proof::Position, v).then_some(steps),
+            Source::Levels(levels, _) => Some(usize::from(Shown::new(levels, v).1.level)),
+        }
     }
 
     /// Whether position, rotation and the neighbours' positions are proven equal to uniform refinement of the same depth.
@@ -37,7 +68,10 @@ impl<'a> Certificate<'a> {
     /// If there is no such vertex.
     #[must_use]
     pub fn is_certified(&self, v: VertexId) -> bool {
-        is_certified(self.exactness, self.mesh, v)
+        match self.proof {
+            Source::Facts(exactness, _) => is_certified(exactness, self.mesh, v),
+            Source::Levels(_, steps) => self.mesh.ring(v).iter().chain([v]).all(|w| self.exact_level(w) == Some(steps)),
+        }
     }
 
     /// All certified vertices, by id. O(edges).
@@ -54,16 +88,22 @@ impl<'a> Certificate<'a> {
         if self.is_certified(v) {
             return None;
         }
-        Some(spoiler(self.exactness, self.mesh, v).map_or(Cause::NotRefined, Cause::Spoiled))
+        let spoiler = match self.proof {
+            Source::Facts(exactness, _) => spoiler(exactness, self.mesh, v),
+            Source::Levels(..) => None,
+        };
+        Some(spoiler.map_or(Cause::NotRefined, Cause::Spoiled))
     }
 
     /// The selected vertices for which one more step of a scheme with this reach is not proven exact, ascending: the
-    /// premise of incremental subdivision is broken there. O(n log n) in the size n of the selection and its neighbours.
+    /// premise of incremental subdivision is broken there. None on a hierarchy, where nothing has to be premised.
+    /// O(n log n) in the size n of the selection and its neighbours.
     #[must_use]
     pub fn unproven(&self, selection: &Selection, reach: Reach) -> Vec<VertexId> {
         let selected = selection.vertices();
-        if self.exactness.is_whole() {
-            return Vec::new();
+        match self.proof {
+            Source::Facts(exactness, _) if !exactness.is_whole() => {}
+            _ => return Vec::new(),
         }
         if reach != Reach::BothStars {
             return selected.iter().copied().filter(|&v| !self.is_certified(v)).collect();

@@ -4,8 +4,8 @@
 //! for all of them. *Uniform* takes everything, *simple* the selection as it is, *incremental* the selection with the
 //! rings around it.
 //!
-//! *Red-green* and *static/mobile* choose by more than the mesh and the selection. They are no methods of this kind but ways
-//! in which a [`Subdivider`](crate::subdivide::Subdivider) is made.
+//! *Red-green* with restriction and without, *dynamic* and *static/mobile* choose by more than the mesh and the selection. They
+//! are no methods of this kind but ways in which a [`Subdivider`](crate::subdivide::Subdivider) is made.
 //!
 //! **Deliberately not here**: how a selection follows the refinement; that is the same for all methods, see
 //! [`crate::subdivide`].
@@ -25,7 +25,7 @@ use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::step::Region;
 
-/// A choice of what a step refines.
+/// A choice of what a step refines of the mesh as it is.
 pub trait AdaptiveMethod: fmt::Debug + Send + Sync {
     /// The region to refine for a selection whose vertices all exist.
     fn region(&self, mesh: &Mesh, selection: &Selection, scratch: &mut Scratch) -> Region;

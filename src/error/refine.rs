@@ -27,7 +27,7 @@ impl std::error::Error for ConfigError {}
 pub enum RefineError {
     /// The step would make more faces than allowed.
     TooManyFaces {
-        /// Faces after the step.
+        /// Faces after the step; on a hierarchy as many as were counted before it was given up.
         needed: u64,
         /// Faces allowed.
         allowed: u64,
@@ -52,13 +52,38 @@ pub enum RefineError {
     /// What goes along with the mesh was not there before, and the step reads values that earlier ones kept: adaptive √3 from
     /// the second step on, 4-8 where triangles of several generations meet.
     JoinedLate,
-    /// Attributes of faces or their corners cannot be taken along by a step that cuts triangles in this way.
+    /// In one run, steps on a hierarchy of another method, or of another kind than those before.
+    OtherHistory,
+    /// On a hierarchy, a step by another scheme than the steps before it: positions are kept by level, and would be mixed.
+    OtherScheme {
+        /// The scheme that made them.
+        made: &'static str,
+        /// The one that was asked for.
+        asked: &'static str,
+    },
+    /// Attributes of faces or their corners, on a hierarchy any, cannot be taken along by a step that cuts triangles in this way.
     Unfollowed {
         /// How it does.
         asked: &'static str,
     },
     /// A selection names a vertex that does not exist.
     NoVertex(crate::id::VertexId),
+    /// The star of a vertex was asked for at a level at which it has none yet.
+    NoStar {
+        /// The vertex.
+        vertex: crate::id::VertexId,
+        /// The level that was asked for.
+        level: u8,
+        /// The level at which the vertex was made.
+        birth: u8,
+    },
+    /// The star of a vertex at a level was given up that nobody asked for.
+    NotAsked {
+        /// The vertex.
+        vertex: crate::id::VertexId,
+        /// The level.
+        level: u8,
+    },
     /// The mesh has semi-sharp edges or vertices, and tags change the masks of the scheme, but it cannot blend them.
     SemiSharp,
     /// A new position is not a finite number.
@@ -95,6 +120,23 @@ impl fmt::Display for RefineError {
                 f,
                 "labels of faces and values at their corners are not taken along by {asked}; leave them behind"
             ),
+            Self::OtherHistory => write!(
+                f,
+                "methods on a hierarchy, those of them that cannot go back, and methods on the mesh as it is cannot follow \
+                 each other in one run; begin a new history with the mesh as it is"
+            ),
+            Self::OtherScheme { made, asked } => {
+                write!(f, "on a hierarchy {asked} cannot follow {made}; begin a new history with the mesh as it is")
+            }
+            Self::NoStar { vertex, level, birth } => {
+                write!(
+                    f,
+                    "{vertex} was made at level {birth} and has no star at level {level}; ask for {birth} or more"
+                )
+            }
+            Self::NotAsked { vertex, level } => {
+                write!(f, "nobody asks for the star of {vertex} at level {level}, so it cannot be given up")
+            }
             Self::NoVertex(v) => write!(f, "the selection names {v}, which does not exist"),
             Self::SemiSharp => {
                 write!(

@@ -12,7 +12,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use super::Parent;
+use super::{Lineage, Parent};
 use crate::id::{Edge, VertexId};
 
 /// When and where a vertex was made that splits an edge.
@@ -34,6 +34,22 @@ impl Birth {
             Some(p)
         } else {
             None
+        }
+    }
+
+    /// The name of the vertex.
+    pub(crate) fn lineage(&self) -> Lineage {
+        Lineage::Edge([self.parent.p, self.parent.q])
+    }
+
+    /// The corner that this vertex and another one cut off a triangle two edges of which they split, and the other ends of
+    /// those edges.
+    pub(crate) fn cut_corner(&self, other: &Self) -> [VertexId; 3] {
+        let Parent { p, q, .. } = self.parent;
+        match (other.other_end(p), other.other_end(q)) {
+            (Some(z), _) => [p, q, z],
+            (_, Some(z)) => [q, p, z],
+            _ => unreachable!("they split two edges of one triangle"),
         }
     }
 }
@@ -59,6 +75,11 @@ impl Hierarchy {
     /// How many ids there are, free ones too.
     pub(crate) fn vertex_count(&self) -> usize {
         self.input_count + self.births.len()
+    }
+
+    /// Whether nothing is split.
+    pub(crate) fn is_input_alone(&self) -> bool {
+        self.births.is_empty()
     }
 
     pub(crate) fn is_input(&self, v: VertexId) -> bool {
@@ -103,6 +124,21 @@ impl Hierarchy {
     /// Whether a triangle is split in four: whether all its edges are split.
     pub(crate) fn is_split(&self, corners: [VertexId; 3]) -> bool {
         self.odds(corners).iter().all(Option::is_some)
+    }
+
+    /// Whether an edge of the mesh that is shown closes a crack, and is thus none of any level. O(1).
+    pub(crate) fn is_closing(&self, [a, b]: [VertexId; 2]) -> bool {
+        match (self.birth(a), self.birth(b)) {
+            (None, None) => false,
+            (Some(at_a), Some(at_b)) if at_a.level == at_b.level => {
+                let [_, y, z] = at_a.cut_corner(at_b);
+                self.odd(y, z).is_none()
+            }
+            (at_a, at_b) => {
+                let (older, younger) = if self.level(a) < self.level(b) { (a, at_b) } else { (b, at_a) };
+                younger.is_some_and(|birth| birth.other_end(older).is_none())
+            }
+        }
     }
 
     /// All vertices that are no input vertices, by id.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::{Bisections, Exactness, Hierarchy, Lineage, Mobility, Motions, SplitKind};
+use super::{Birth, Bisections, Exactness, Hierarchy, Lineage, Mobility, Motions, Refinement, SplitKind};
 use crate::error::RefineError;
 use crate::id::{Edge, Triangle, VertexId};
 use crate::mesh::Mesh;
@@ -47,6 +47,8 @@ pub struct History {
     /// From the first step of red-green refinement on: after which step it was, and the red triangles over the mesh before the
     /// first of its kind.
     red_green: Option<(usize, Box<Hierarchy>)>,
+    /// From the first step on, if the method is one that works on a hierarchy.
+    refinement: Option<Box<Refinement>>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -119,6 +121,7 @@ impl History {
             bisections: None,
             mobility: None,
             red_green: None,
+            refinement: None,
         }
     }
 
@@ -139,6 +142,7 @@ impl History {
             bisections: None,
             mobility: None,
             red_green: None,
+            refinement: None,
         }
     }
 
@@ -160,15 +164,50 @@ impl History {
         self.kind
     }
 
-    /// Whether a step of this kind may follow.
+    /// Whether a step of this kind may follow, by a method that works on the mesh as it is.
     pub(crate) fn allow(&self, asked: SplitKind) -> Result<(), RefineError> {
         match self.kind {
+            _ if self.refinement.is_some() => Err(RefineError::OtherHistory),
             Some(made) if made != asked => Err(RefineError::OtherSplit { made: made.name(), asked: asked.name() }),
             _ => Ok(()),
         }
     }
 
-    /// The greatest valence of the mesh, after any of its steps under √3, where valences fall again when edges are turned. O(1).
+    /// The hierarchy of a run, which begins when it is asked for first; it is to be put back.
+    pub(crate) fn take_refinement(
+        &mut self,
+        mesh: &Mesh,
+        scheme: &'static str,
+        goes_back: bool,
+    ) -> Result<Box<Refinement>, RefineError> {
+        match &self.refinement {
+            Some(begun) if begun.goes_back != goes_back => return Err(RefineError::OtherHistory),
+            Some(begun) if begun.scheme != scheme => {
+                return Err(RefineError::OtherScheme { made: begun.scheme, asked: scheme });
+            }
+            None if self.step_count() > 0 => return Err(RefineError::OtherHistory),
+            _ => {}
+        }
+        Ok(self.refinement.take().unwrap_or_else(|| Box::new(Refinement::new(mesh, scheme, goes_back))))
+    }
+
+    /// Puts the hierarchy back.
+    pub(crate) fn keep_refinement(&mut self, refinement: Box<Refinement>) {
+        self.refinement = Some(refinement);
+    }
+
+    /// The stars that [`Dynamic`](crate::subdivide::Dynamic) was asked for, or steps of the method *dynamic*, by vertex and
+    /// level; none for other methods.
+    pub fn asked_stars(&self) -> impl Iterator<Item = (VertexId, u8)> {
+        self.refinement.iter().flat_map(|refinement| refinement.asked.iter().copied())
+    }
+
+    /// The hierarchy, if the methods of the run work on one.
+    pub(crate) fn refinement(&self) -> Option<&Refinement> {
+        self.refinement.as_deref()
+    }
+
+    /// The greatest valence of the mesh, after any of its steps under √3 and on a hierarchy, where valences fall again. O(1).
     #[must_use]
     pub fn max_valence(&self) -> usize {
         self.max_valence
@@ -181,10 +220,10 @@ impl History {
         first..self.starts.get(step).copied().unwrap_or(usize::MAX)
     }
 
-    /// Whether names are kept.
+    /// Whether names are kept. A hierarchy always keeps them.
     #[must_use]
     pub fn has_names(&self) -> bool {
-        self.names.is_some()
+        self.names.is_some() || self.refinement.is_some()
     }
 
     /// The first vertex of the last step, of the input before any.
@@ -211,6 +250,9 @@ impl History {
     /// of. `None` if levels are not kept: that is, if neither names are nor a step was made that needs them.
     #[must_use]
     pub fn level(&self, v: VertexId) -> Option<u8> {
+        if let Some(refinement) = &self.refinement {
+            return Some(refinement.hierarchy.level(v));
+        }
         let levels = self.levels.as_ref()?;
         Some(match v.index().checked_sub(self.starts[0]) {
             None => 0,
@@ -221,6 +263,9 @@ impl History {
     /// What a vertex was made of. `None` for an input vertex, and if names are not kept.
     #[must_use]
     pub fn parents(&self, v: VertexId) -> Option<Lineage> {
+        if let Some(refinement) = &self.refinement {
+            return refinement.hierarchy.birth(v).map(Birth::lineage);
+        }
         let k = v.index().checked_sub(self.starts[0])?;
         self.names.as_ref().map(|names| names.lineages.get(k))
     }
@@ -251,9 +296,15 @@ impl History {
     }
 
     /// The edges of the mesh that were drawn to close cracks, ascending; `None` if names are not kept. O(n log n) in the
-    /// number of those ever drawn.
+    /// number of those ever drawn, on a hierarchy O(edges).
     #[must_use]
     pub fn closing_edges(&self, mesh: &Mesh) -> Option<Vec<Edge>> {
+        if let Some(refinement) = &self.refinement {
+            let mut closing: Vec<Edge> =
+                mesh.edges().filter(|edge| refinement.hierarchy.is_closing(edge.ends())).collect();
+            closing.sort_unstable();
+            return Some(closing);
+        }
         let names = self.names.as_ref()?;
         let still = |edge: &Edge| {
             let [a, b] = edge.ends();
@@ -270,18 +321,31 @@ impl History {
     /// Ids differ between runs that refine different regions; names do not. O(vertices of both).
     #[must_use]
     pub fn same_names(&self, other: &Self) -> Option<Vec<Option<VertexId>>> {
-        let (names, others) = (self.names.as_ref()?, other.names.as_ref()?);
-        let made: HashMap<Lineage, VertexId> = (0..others.lineages.len())
-            .map(|k| (others.lineages.get(k).unordered(), VertexId::new(other.starts[0] + k)))
-            .collect();
-        let inputs = self.starts[0];
-        let mut same: Vec<Option<VertexId>> =
-            (0..inputs).map(|k| (k < other.starts[0]).then(|| VertexId::new(k))).collect();
-        for k in 0..names.lineages.len() {
-            let lineage = names.lineages.get(k).renamed(|v| same[v.index()]);
-            same.push(lineage.and_then(|lineage| made.get(&lineage.unordered()).copied()));
+        let (lineages, others) = (self.lineages()?, other.lineages()?);
+        let made: HashMap<Lineage, VertexId> =
+            others.into_iter().map(|(x, lineage)| (lineage.unordered(), x)).collect();
+        let inputs = self.starts[0].min(other.starts[0]);
+        let last = lineages.iter().map(|(x, _)| x.index() + 1).max().unwrap_or(0);
+        let mut same = vec![None; last.max(self.starts[0])];
+        for (k, input) in same.iter_mut().enumerate().take(inputs) {
+            *input = Some(VertexId::new(k));
+        }
+        for (x, lineage) in lineages {
+            let lineage = lineage.renamed(|v| same[v.index()]);
+            same[x.index()] = lineage.and_then(|lineage| made.get(&lineage.unordered()).copied());
         }
         Some(same)
+    }
+
+    /// All vertices that are no input vertices with what they were made of, which comes before; `None` if names are not kept.
+    fn lineages(&self) -> Option<Vec<(VertexId, Lineage)>> {
+        if let Some(refinement) = &self.refinement {
+            let mut births: Vec<(VertexId, &Birth)> = refinement.hierarchy.births().collect();
+            births.sort_by_key(|(_, birth)| birth.level);
+            return Some(births.into_iter().map(|(x, birth)| (x, birth.lineage())).collect());
+        }
+        let lineages = &self.names.as_ref()?.lineages;
+        Some((0..lineages.len()).map(|k| (VertexId::new(self.starts[0] + k), lineages.get(k))).collect())
     }
 
     pub(crate) fn exactness(&self) -> Option<&Exactness> {
@@ -419,5 +483,6 @@ impl History {
             + self.bisections.as_ref().map_or(0, |bisections| bisections.memory_bytes())
             + self.mobility.as_ref().map_or(0, |mobility| mobility.memory_bytes())
             + self.red_green.as_ref().map_or(0, |(_, hierarchy)| hierarchy.memory_bytes())
+            + self.refinement.as_ref().map_or(0, |refinement| refinement.memory_bytes())
     }
 }

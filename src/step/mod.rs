@@ -15,6 +15,8 @@ mod lineage;
 mod mobility;
 mod motion;
 mod parent;
+mod places;
+mod refinement;
 mod region;
 
 pub use blocks::Blocks;
@@ -28,5 +30,7 @@ pub use lineage::Lineage;
 pub(crate) use mobility::Mobility;
 pub(crate) use motion::{Motion, Motions, Weights};
 pub use parent::Parent;
+pub(crate) use places::Places;
+pub(crate) use refinement::Refinement;
 pub use region::Region;
 pub(crate) use region::RegionKind;

@@ -15,6 +15,7 @@
 
 mod bisect;
 mod follow;
+mod hierarchy;
 mod mobile;
 mod positions;
 mod quadrisect;
@@ -24,6 +25,7 @@ mod values;
 mod whole;
 
 pub use follow::{Assignment, Follower, StepMasks, ValueId};
+pub use hierarchy::{Change, Dynamic, Target};
 pub use mobile::MobileStep;
 pub use values::Values;
 
@@ -39,6 +41,7 @@ use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::Diagonal;
 use crate::step::{History, Region};
+use hierarchy::Demand;
 use mobile::Mobile;
 use quadrisect::Quadrisection;
 
@@ -170,10 +173,12 @@ enum Method {
     Region(Box<dyn AdaptiveMethod>),
     Mobile(Mobile),
     RedGreen,
+    /// No region of the mesh, but what the hierarchy over the input must hold.
+    OnHierarchy(Demand),
 }
 
 impl Subdivider {
-    /// A scheme with a method.
+    /// A scheme with a method on the mesh as it is.
     #[must_use]
     pub fn new(scheme: impl Into<AnyScheme>, method: impl AdaptiveMethod + 'static) -> Self {
         Self { scheme: scheme.into(), method: Method::Region(Box::new(method)), diagonal: Diagonal::default() }
@@ -253,7 +258,38 @@ impl Subdivider {
         Ok(Self { scheme, method: Method::RedGreen, diagonal: Diagonal::default() })
     }
 
-    /// The same with another choice of diagonals in faces with two split edges.
+    /// Red-green refinement with restriction: triangles with all corners in the selection are split in four, and so is, until
+    /// there is none, each with two split edges and more; one with a single split edge is bisected for the time being. Before
+    /// a triangle of a level is split, all triangles of that level around its corners are made.
+    ///
+    /// So what new vertices are made of is always that of a uniform mesh: whatever the selections are, every vertex is where
+    /// uniform refinement of some number of levels has it, bit for bit
+    /// ([`Certificate::exact_level`](crate::certify::Certificate::exact_level)), and triangles that share a vertex differ by at
+    /// most one level. Source: `[incremental]`, with restriction from `[zorin1997]`.
+    ///
+    /// # Errors
+    /// Under a scheme that does not split triangles in four, with the reason.
+    pub fn red_green_restricted(scheme: impl Into<AnyScheme>) -> Result<Self, ConfigError> {
+        Self::on_hierarchy(scheme.into(), Demand::Leaves)
+    }
+
+    /// The k-th step asks that all triangles around each selected vertex be there at level k, with what that needs, and for
+    /// nothing else. It is as exact as [`Subdivider::red_green_restricted`], and what was asked for can be given up again: see
+    /// [`Dynamic`], of which this is the same with levels counted.
+    ///
+    /// # Errors
+    /// Under a scheme that does not split triangles in four, with the reason.
+    pub fn dynamic(scheme: impl Into<AnyScheme>) -> Result<Self, ConfigError> {
+        Self::on_hierarchy(scheme.into(), Demand::Stars)
+    }
+
+    fn on_hierarchy(scheme: AnyScheme, demand: Demand) -> Result<Self, ConfigError> {
+        red_green::require_quadrisection(&scheme)?;
+        Ok(Self { scheme, method: Method::OnHierarchy(demand), diagonal: Diagonal::default() })
+    }
+
+    /// The same with another choice of diagonals in faces with two split edges; on a hierarchy they have a rule of their own,
+    /// which asks neither for valences nor for ids, as these would depend on the order of steps.
     #[must_use]
     pub fn with_diagonal(mut self, diagonal: Diagonal) -> Self {
         self.diagonal = diagonal;
@@ -269,9 +305,9 @@ impl Subdivider {
     /// Refines the region that the method chooses for a selection.
     ///
     /// # Errors
-    /// A selected vertex that does not exist, a history of another [`SplitKind`](crate::step::SplitKind) or under √3 of other methods, a
-    /// follower that was not there from the first step on and has to be, semi-sharp tags that the scheme cannot blend, more faces than
-    /// [`Control::max_faces`], more vertices than 32-bit ids name, a 256th level, a position that is not finite, or the
+    /// A selected vertex that does not exist, a history of another [`SplitKind`](crate::step::SplitKind), under √3 and on a
+    /// hierarchy of other methods, a follower that was not there from the first step on and has to be, semi-sharp tags that the
+    /// scheme cannot blend, more faces than [`Control::max_faces`], more vertices than 32-bit ids name, a 256th level, a position that is not finite, or the
     /// caller's wish to stop. The mesh and the history are then as before.
     ///
     /// # Panics
@@ -291,10 +327,11 @@ impl Subdivider {
         if let Some(&last) = selection.vertices().last().filter(|last| last.index() >= mesh.vertex_count()) {
             return Err(RefineError::NoVertex(last));
         }
-        history.allow(self.scheme.split_kind())?;
-        if mesh.tags().has_semi_sharp() && self.scheme.reads_tags() && !self.scheme.blends_sharpness() {
-            return Err(RefineError::SemiSharp);
+        require_blended(&self.scheme, mesh)?;
+        if let Method::OnHierarchy(demand) = self.method {
+            return hierarchy::step(&self.scheme, demand, mesh, history, selection, scratch, control);
         }
+        history.allow(self.scheme.split_kind())?;
         let region = match &self.method {
             Method::Region(method) => method.region(mesh, selection, scratch),
             Method::Mobile(method) => method.region(mesh, history, selection),
@@ -308,6 +345,7 @@ impl Subdivider {
                     else unreachable!("other schemes are refused")
                 );
             }
+            Method::OnHierarchy(_) => unreachable!("it has no region"),
         };
         let request =
             Request { mesh, history: &mut *history, selection, region: &region, scratch: &mut *scratch, control };
@@ -338,13 +376,19 @@ impl Subdivider {
 
     /// Whether a step takes edges back that one before it drew.
     pub(crate) fn takes_back(&self) -> bool {
-        matches!(self.method, Method::RedGreen)
+        matches!(self.method, Method::RedGreen | Method::OnHierarchy(_))
     }
 
     fn promises_exactness(&self) -> bool {
         match &self.method {
             Method::Region(method) => method.promises_exactness(),
-            Method::Mobile(_) | Method::RedGreen => false,
+            Method::Mobile(_) | Method::RedGreen | Method::OnHierarchy(_) => false,
         }
     }
+}
+
+/// Refuses semi-sharp tags that a scheme would have to blend and cannot.
+fn require_blended(scheme: &AnyScheme, mesh: &Mesh) -> Result<(), RefineError> {
+    let blends = scheme.blends_sharpness() || !scheme.reads_tags();
+    if mesh.tags().has_semi_sharp() && !blends { Err(RefineError::SemiSharp) } else { Ok(()) }
 }

@@ -89,6 +89,26 @@ impl Grower<'_> {
         self.split(triangle)
     }
 
+    /// Splits, until there is none, triangles of which two edges or more are split: those beside edges that were split here.
+    pub(crate) fn close_red(&mut self) -> Result<(), RefineError> {
+        let mut closed = 0;
+        while let Some(&x) = self.growth.made.get(closed) {
+            for triangle in self.levels().triangles_beside(x).into_iter().flatten() {
+                if self.hierarchy.odds(triangle).iter().flatten().count() >= 2 {
+                    self.split_restricted(triangle)?;
+                }
+            }
+            closed += 1;
+        }
+        Ok(())
+    }
+
+    /// The vertices that were made so far on an edge between two of which this holds.
+    pub(crate) fn made_between(&self, holds: impl Fn(&VertexId) -> bool) -> impl Iterator<Item = VertexId> {
+        let births = self.growth.made.iter().filter_map(|&x| self.hierarchy.birth(x).map(|birth| (x, birth.parent)));
+        births.filter(move |(_, parent)| holds(&parent.p) && holds(&parent.q)).map(|(x, _)| x)
+    }
+
     /// Splits a triangle, counter-clockwise, across whose edges there are triangles of the same level, or nothing.
     pub(crate) fn split(&mut self, [a, b, c]: [VertexId; 3]) -> Result<(), RefineError> {
         for triangle in [[a, b, c], [b, c, a], [c, a, b]] {

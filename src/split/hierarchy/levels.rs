@@ -7,7 +7,7 @@ use crate::step::{Birth, Hierarchy, Parent};
 /// What the mesh is at each level, as far as it was made: a function of the map from edges to the vertices that split them,
 /// and of the rings of input vertices. Those are read from the mesh that is shown, each neighbour standing for the input
 /// neighbour in whose direction it lies; so of the input nothing has to be kept.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Levels<'a> {
     rotation: &'a RotationSystem,
     hierarchy: &'a Hierarchy,
@@ -45,6 +45,16 @@ impl<'a> Levels<'a> {
             neighbor = birth.other_end(v)?;
         }
         Some(neighbor)
+    }
+
+    /// The neighbour that a vertex had at the level of its birth in the direction of a neighbour of a later level.
+    pub(crate) fn first_neighbor(self, v: VertexId, mut neighbor: VertexId) -> VertexId {
+        let level = self.hierarchy.level(v);
+        let later = |w| self.hierarchy.birth(w).filter(|birth| birth.level > level);
+        while let Some(before) = later(neighbor).and_then(|birth| birth.other_end(v)) {
+            neighbor = before;
+        }
+        neighbor
     }
 
     /// The ring of a vertex at a level at which its star is complete, from the start that it has in a uniform mesh.
@@ -115,7 +125,7 @@ impl<'a> Levels<'a> {
             [Some(birth), None] => self.across_half(birth, b, c),
             [None, Some(birth)] => self.across_half(birth, a, c),
             [Some(at_a), Some(at_b)] => {
-                let [apex, y, z] = cut_corner(at_a, at_b);
+                let [apex, y, z] = at_a.cut_corner(at_b);
                 Across::Corner(if c == apex { self.required_odd(y, z) } else { apex })
             }
         }
@@ -149,32 +159,6 @@ impl<'a> Levels<'a> {
         }
         let older = |corner: Option<VertexId>| corner.is_some_and(|corner| self.hierarchy.level(corner) < of_a);
         if of_a == 0 { a < b } else { older(left) || !older(right) }
-    }
-
-    /// Whether an edge of the mesh that is shown closes a crack. O(1).
-    pub(crate) fn is_closing(self, a: VertexId, b: VertexId) -> bool {
-        let birth = |v| self.hierarchy.birth(v);
-        match (birth(a), birth(b)) {
-            (None, None) => false,
-            (Some(at_a), Some(at_b)) if at_a.level == at_b.level => {
-                let [_, y, z] = cut_corner(at_a, at_b);
-                self.hierarchy.odd(y, z).is_none()
-            }
-            (at_a, at_b) if at_a.map(|birth| birth.level) < at_b.map(|birth| birth.level) => {
-                at_b.is_some_and(|birth| birth.other_end(a).is_none())
-            }
-            (at_a, _) => at_a.is_some_and(|birth| birth.other_end(b).is_none()),
-        }
-    }
-}
-
-/// The corner that two new vertices of one triangle cut off, and the other ends of the edges that they split.
-fn cut_corner(one: &Birth, other: &Birth) -> [VertexId; 3] {
-    let Parent { p, q, .. } = one.parent;
-    match (other.other_end(p), other.other_end(q)) {
-        (Some(z), _) => [p, q, z],
-        (_, Some(z)) => [q, p, z],
-        _ => unreachable!("they split two edges of one triangle"),
     }
 }
 

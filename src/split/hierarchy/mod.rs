@@ -21,5 +21,5 @@ mod tests;
 pub(crate) use grow::{Grower, Growth};
 pub(crate) use levels::{Across, Levels};
 pub(crate) use red::{Red, leaf_of};
-pub(crate) use show::{Shown, show};
+pub(crate) use show::{Shown, leaves_around, show};
 pub(crate) use shrink::Shrinker;

@@ -75,36 +75,53 @@ pub(crate) struct Shown {
 impl Shown {
     /// The ring of a vertex, and how it is shown beside that. O(valence · levels).
     pub(crate) fn new(levels: Levels<'_>, v: VertexId) -> (RingBuf, Self) {
-        let mut entries = Entries { levels, v, list: Vec::new(), leaf_level: u8::MAX, closing: 0 };
-        let birth = levels.hierarchy().birth(v);
-        let (open, hangs) = match birth {
-            None => (entries.list_input(), false),
-            Some(birth) => entries.list_odd(birth.parent),
+        let mut leaf_level = None;
+        let take_leaf = |leaf| {
+            let level = levels.hierarchy().level_of(leaf);
+            leaf_level = Some(leaf_level.map_or(level, |least: u8| least.min(level)));
         };
-        let leaf_level = if entries.list.is_empty() { 0 } else { entries.leaf_level };
-        let level = birth.map_or(leaf_level, |birth| leaf_level.max(birth.level));
-        let ring = RingBuf::collect(entries.list.into_iter(), open);
-        (ring, Self { level, closing: entries.closing, hangs })
+        let Entries { list, open, closing, hangs, .. } = Entries::of(levels, v, take_leaf);
+        let level = levels.hierarchy().level(v).max(leaf_level.unwrap_or(0));
+        (RingBuf::collect(list.into_iter(), open), Self { level, closing, hangs })
     }
 }
 
+/// The leaves with a corner at a vertex, counter-clockwise each from there. O(valence · levels).
+pub(crate) fn leaves_around(levels: Levels<'_>, v: VertexId) -> Vec<[VertexId; 3]> {
+    let mut leaves = Vec::new();
+    Entries::of(levels, v, |leaf| leaves.push(leaf));
+    leaves.retain(|leaf| leaf[0] == v);
+    leaves
+}
+
 /// The neighbours of a vertex, counter-clockwise, as they are found.
-struct Entries<'a> {
+struct Entries<'a, F> {
     levels: Levels<'a>,
     v: VertexId,
     list: Vec<VertexId>,
-    /// The smallest level of a leaf around it.
-    leaf_level: u8,
+    open: bool,
     closing: usize,
+    hangs: bool,
+    /// Takes the leaves around the vertex, and those that it hangs on.
+    take_leaf: F,
 }
 
-impl Entries<'_> {
+impl<'a, F: FnMut([VertexId; 3])> Entries<'a, F> {
+    fn of(levels: Levels<'a>, v: VertexId, take_leaf: F) -> Self {
+        let mut entries = Self { levels, v, list: Vec::new(), open: false, closing: 0, hangs: false, take_leaf };
+        match levels.hierarchy().birth(v) {
+            None => entries.list_input(),
+            Some(birth) => entries.list_odd(birth.parent),
+        }
+        entries
+    }
+
     fn odd(&self, a: VertexId, b: VertexId) -> Option<VertexId> {
         self.levels.hierarchy().odd(a, b)
     }
 
-    /// Lists the neighbours of an input vertex, and answers whether its ring is open.
-    fn list_input(&mut self) -> bool {
+    /// Lists the neighbours of an input vertex.
+    fn list_input(&mut self) {
         let input = self.levels.input_ring(self.v);
         let ring = input.as_ring();
         for (slot, w) in ring.iter().enumerate() {
@@ -113,26 +130,23 @@ impl Entries<'_> {
                 self.between(w, next);
             }
         }
-        ring.is_open()
+        self.open = ring.is_open();
     }
 
-    /// Lists the neighbours of a vertex on an edge, and answers whether its ring is open, and whether a triangle beside it
-    /// is not split.
-    fn list_odd(&mut self, parent: Parent) -> (bool, bool) {
-        let Parent { p, q, left, right } = parent;
-        let mut hangs = false;
+    /// Lists the neighbours of a vertex on an edge.
+    fn list_odd(&mut self, Parent { p, q, left, right }: Parent) {
         if let Some(right) = right {
             self.toward(p);
-            hangs |= !self.side([p, q], right);
+            self.side([p, q], right);
         }
         self.toward(q);
         if let Some(left) = left {
-            hangs |= !self.side([q, p], left);
+            self.side([q, p], left);
         }
         if right.is_none() {
             self.toward(p);
         }
-        (left.is_none() || right.is_none(), hangs)
+        self.open = left.is_none() || right.is_none();
     }
 
     /// Lists the neighbour in the direction of one that it has at some level.
@@ -164,14 +178,14 @@ impl Entries<'_> {
                 (Some(opposite), None, Some(_)) if self.starts_diagonal([v, a], b) => self.close(opposite),
                 _ => {}
             }
-            self.end_at_leaf([v, a, b]);
+            (self.take_leaf)([v, a, b]);
             return;
         }
     }
 
     /// Lists the neighbours between the ends `a` and `b` of the edge that the vertex splits, counter-clockwise, in the
-    /// triangle `b, a, c`. Answers whether that is split.
-    fn side(&mut self, [a, b]: [VertexId; 2], c: VertexId) -> bool {
+    /// triangle `b, a, c`.
+    fn side(&mut self, [a, b]: [VertexId; 2], c: VertexId) {
         match (self.odd(a, c), self.odd(b, c)) {
             (Some(at_a), Some(at_b)) => {
                 self.between(a, at_a);
@@ -179,7 +193,7 @@ impl Entries<'_> {
                 self.between(at_a, at_b);
                 self.toward(at_b);
                 self.between(at_b, b);
-                return true;
+                return;
             }
             (None, None) => self.close(c),
             (Some(at_a), None) => {
@@ -195,8 +209,8 @@ impl Entries<'_> {
                 self.close(at_b);
             }
         }
-        self.end_at_leaf([b, a, c]);
-        false
+        self.hangs = true;
+        (self.take_leaf)([b, a, c]);
     }
 
     fn starts_diagonal(&self, edge: [VertexId; 2], cut: VertexId) -> bool {
@@ -210,9 +224,5 @@ impl Entries<'_> {
     fn diagonal_comes_from(&self, end: VertexId, [a, b]: [VertexId; 2], cut: VertexId) -> bool {
         let last = if self.levels.is_first([a, b], Some(cut), None) { b } else { a };
         last == end
-    }
-
-    fn end_at_leaf(&mut self, corners: [VertexId; 3]) {
-        self.leaf_level = self.leaf_level.min(self.levels.hierarchy().level_of(corners));
     }
 }

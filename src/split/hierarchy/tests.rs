@@ -131,13 +131,10 @@ impl Tried {
             self.leaves().iter().filter(|leaf| self.hierarchy.odds(leaf.0).iter().flatten().count() == 2).count();
         assert_eq!((found.len(), self.rotation.triangle_count()), (2 * two_split, count));
         let levels = Levels::new(&self.rotation, &self.hierarchy);
-        assert_eq!(
-            self.rotation.edges().filter(|edge| levels.is_closing(edge.ends()[0], edge.ends()[1])).count(),
-            closed
-        );
+        assert_eq!(self.rotation.edges().filter(|edge| self.hierarchy.is_closing(edge.ends())).count(), closed);
         for (&v, shown) in &self.shown {
             assert_eq!(shown.level, self.hierarchy.level(v).max(greatest.get(&v).copied().unwrap_or(0)));
-            let closing = self.rotation.neighbors(v).iter().filter(|&&w| levels.is_closing(v, w));
+            let closing = self.rotation.neighbors(v).iter().filter(|&&w| self.hierarchy.is_closing([v, w]));
             assert!(shown.closing <= closing.count() && (shown.hangs || self.hierarchy.contains(v)));
         }
     }
