@@ -12,9 +12,9 @@ use criterion::{BenchmarkGroup, BenchmarkId, Criterion, criterion_group, criteri
 use vvmesh::adaptive::Incremental;
 use vvmesh::scheme::{AnyScheme, FourEight, Loop, Sqrt3};
 use vvmesh::scratch::Scratch;
-use vvmesh::select::{Criterion as _, Disk};
+use vvmesh::select::{Criterion as _, Disk, Selection};
 use vvmesh::step::{History, Keep};
-use vvmesh::subdivide::{Control, Subdivider};
+use vvmesh::subdivide::{Control, Dynamic, Subdivider};
 use vvmesh::{Mesh, VertexId, shapes};
 
 /// A sequence of places, the same in every run (Knuth's multiplier of a linear congruence, the upper bits).
@@ -77,5 +77,80 @@ fn local_steps(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, scheme: &An
     });
 }
 
-criterion_group!(benches, adaptive);
+/// A pen goes 200 steps over a torus of a million faces; each refines what is near it by two levels more.
+///
+/// *dynamic* asks for the stars of a disk at level 2, at a place that overlaps with the one before, and gives those up that
+/// the pen has left behind four places ago; *incremental* makes two steps there. The times of the single steps are printed,
+/// as their distribution is what a hand feels.
+fn pen(criterion: &mut Criterion) {
+    const STEPS: usize = 200;
+    let coarse = shapes::torus(1000, 500, 2.0, 1.0);
+    // Two vertices on, and now and then one to the side.
+    let path: Vec<VertexId> = (0..STEPS).map(|k| VertexId::new((100 + 2 * k) * 500 + 100 + k / 7)).collect();
+    let mut group = criterion.benchmark_group("adaptive/pen");
+    group.sample_size(10);
+    group.bench_function(BenchmarkId::new("dynamic", coarse.face_count()), |bencher| {
+        bencher.iter_custom(|iterations| {
+            let (dynamic, mut scratch) = (Dynamic::new(Loop::default()).expect("it splits in four"), Scratch::new());
+            repeated(iterations, || {
+                let (mut mesh, mut history) = (coarse.clone(), History::new(&coarse, Keep::default()));
+                let disks: Vec<_> = path.iter().map(|&v| disk(&coarse, v, &mut scratch)).collect();
+                let mut times = Vec::with_capacity(STEPS);
+                for k in 0..disks.len() {
+                    let start = Instant::now();
+                    let (control, level) = (&mut Control::default(), 2);
+                    dynamic.refine(&mut mesh, &mut history, &disks[k], level, &mut scratch, control).expect("a torus");
+                    if let Some(left) = k.checked_sub(4).map(|left| &disks[left]) {
+                        let held = near(&disks[k - 3..=k]);
+                        let gone: Selection = left.vertices().iter().copied().filter(|&v| !held.contains(v)).collect();
+                        dynamic.coarsen(&mut mesh, &mut history, &gone, level, &mut scratch).expect("it was asked for");
+                    }
+                    times.push(start.elapsed());
+                }
+                times
+            })
+        });
+    });
+    group.bench_function(BenchmarkId::new("incremental", coarse.face_count()), |bencher| {
+        bencher.iter_custom(|iterations| {
+            let subdivider = Subdivider::new(Loop::default(), Incremental::new(1).expect("one ring is allowed"));
+            let mut scratch = Scratch::new();
+            repeated(iterations, || {
+                let (mut mesh, mut history) = (coarse.clone(), History::new(&coarse, Keep::default()));
+                let mut times = Vec::with_capacity(STEPS);
+                for &center in &path {
+                    let start = Instant::now();
+                    let mut selection = disk(&mesh, center, &mut scratch);
+                    for _ in 0..2 {
+                        let control = &mut Control::default();
+                        let step = subdivider.step(&mut mesh, &mut history, &selection, &mut scratch, control);
+                        selection = step.expect("a torus can be refined").selection;
+                    }
+                    times.push(start.elapsed());
+                }
+                times
+            })
+        });
+    });
+    group.finish();
+}
+
+fn disk(mesh: &Mesh, center: VertexId, scratch: &mut Scratch) -> Selection {
+    Disk::new(center, 3).select(mesh, scratch).expect("the vertex is one of the mesh")
+}
+
+fn near(disks: &[Selection]) -> Selection {
+    disks.iter().fold(Selection::empty(), |all, disk| all.union(disk))
+}
+
+/// Runs a stroke some times, prints how long its steps took, and answers the mean of a stroke times the runs.
+fn repeated(iterations: u64, mut stroke: impl FnMut() -> Vec<Duration>) -> Duration {
+    let mut times: Vec<Duration> = (0..iterations).flat_map(|_| stroke()).collect();
+    times.sort_unstable();
+    let quantile = |part: usize| times[(times.len() * part / 100).min(times.len() - 1)];
+    println!("a step: median {:?}, 99th percentile {:?}, greatest {:?}", quantile(50), quantile(99), quantile(100));
+    times.iter().sum()
+}
+
+criterion_group!(benches, adaptive, pen);
 criterion_main!(benches);

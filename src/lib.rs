@@ -126,6 +126,9 @@
 //!
 //! **Red, green, leaf**: split in four; bisected for the time being, to close a crack; a triangle that is not split in four.
 //!
+//! **Hierarchy, restriction, shown**: the triangles of all levels over an input; the rule that a triangle is split only if all
+//! of its level around its corners are there; what the mesh has of a hierarchy: its leaves, with cracks closed.
+//!
 //! **Hanging vertex**: one on the inside of an edge of a face, of which it is no corner.
 //!
 //! **Mobile, static vertex**: under static/mobile subdivision, one that moves in this step; one that stays for ever.

@@ -9,10 +9,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use common::load::load;
 use common::random::{Closed, Picks, Random, Surface, WithBoundary, check, semi_sharp};
 use common::run::{Beside, MeshBits, Run, bits, schemes};
-use vvmesh::adaptive::{Hierarchical, Incremental, Simple, Uniform};
+use vvmesh::adaptive::{Incremental, Simple, Uniform};
 use vvmesh::certify::Certificate;
 use vvmesh::check::mesh_conformity;
-use vvmesh::error::RefineError;
+use vvmesh::error::{ConfigError, RefineError};
 use vvmesh::glam::DVec3;
 use vvmesh::limit::{Limit, LoopLimit};
 use vvmesh::mesh::SharpnessRule;
@@ -21,10 +21,15 @@ use vvmesh::scheme::{AnyScheme, FourEight, Loop, Midpoint, ModifiedButterfly, Sq
 use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
 use vvmesh::step::Lineage;
-use vvmesh::subdivide::{Control, Dynamic, Progress, Subdivider};
+use vvmesh::subdivide::{Control, Dynamic, Progress, Subdivider, Values};
 use vvmesh::{Mesh, VertexId, shapes};
 
-const METHODS: [Hierarchical; 2] = [Hierarchical::RedGreenRestricted, Hierarchical::Dynamic];
+type Make = fn(AnyScheme) -> Result<Subdivider, ConfigError>;
+
+const METHODS: [(&str, Make); 2] = [
+    ("red-green-restricted", |scheme| Subdivider::red_green_restricted(scheme)),
+    ("dynamic", |scheme| Subdivider::dynamic(scheme)),
+];
 
 /// The uniform run before the first step and after each.
 fn uniform_levels(scheme: &AnyScheme, mesh: &Mesh, count: usize) -> Vec<Run> {
@@ -107,9 +112,9 @@ fn steps_are_exact<S: Surface, const SCHEME: usize>(surface: S, picks: Picks, se
     let mesh = surface.mesh();
     let loops = mesh.rotation().boundary_loops().len();
     let uniform = uniform_levels(&scheme, &mesh, LEVELS);
-    for method in METHODS {
+    for (method, make) in METHODS {
         for moves in [false, true] {
-            let subdivider = Subdivider::on_hierarchy(scheme.clone(), method).unwrap();
+            let subdivider = make(scheme.clone()).unwrap();
             let (mut run, mut selection) = (Run::new(&mesh), picks.patch(&mesh));
             let mut random = Random::new(seed);
             for k in 1..=LEVELS {
@@ -120,7 +125,7 @@ fn steps_are_exact<S: Surface, const SCHEME: usize>(surface: S, picks: Picks, se
                 let certificate = Certificate::new(&run.mesh, &run.history).unwrap();
                 assert_eq!(step.certified, Some(certificate.certified().count()), "{what}");
                 assert!(fine >= step.certified.unwrap());
-                if method == Hierarchical::Dynamic {
+                if method == "dynamic" {
                     // Every selected star is complete at the level of the step.
                     let at = |v: &VertexId| certificate.exact_level(*v) == Some(k);
                     assert!(selection.vertices().iter().all(at) && fine >= step.selection.len(), "{what}");
@@ -376,8 +381,8 @@ fn moving_selections_on_shared_meshes_are_exact() {
         let scheme: AnyScheme = if number % 3 == 2 { ModifiedButterfly.into() } else { Loop::default().into() };
         let loops = mesh.rotation().boundary_loops().len();
         let uniform = uniform_levels(&scheme, &mesh, LEVELS);
-        for method in METHODS {
-            let subdivider = Subdivider::on_hierarchy(scheme.clone(), method).unwrap();
+        for (method, make) in METHODS {
+            let subdivider = make(scheme.clone()).unwrap();
             for moves in [false, true] {
                 let (mut run, mut random) = (Run::new(&mesh), Random::new(number as u64));
                 let mut selection = moving(&run, &mut random);
@@ -435,8 +440,8 @@ fn everything_refined_is_the_uniform_mesh() {
     for (name, scheme) in schemes() {
         for mesh in [shapes::icosahedron(), shapes::grid(3, 2)] {
             let uniform = uniform_levels(&scheme, &mesh, 3);
-            for method in METHODS {
-                let subdivider = Subdivider::on_hierarchy(scheme.clone(), method).unwrap();
+            for (method, make) in METHODS {
+                let subdivider = make(scheme.clone()).unwrap();
                 let mut run = Run::new(&mesh);
                 let mut selection = Selection::all(mesh.vertex_count());
                 for (k, uniform) in uniform.iter().enumerate().skip(1) {
@@ -478,14 +483,8 @@ fn errors_leave_everything_as_it_was() {
     let selection = Selection::all(3);
     let others = [
         (Subdivider::new(Loop::default(), Simple), RefineError::OtherHistory),
-        (
-            Subdivider::on_hierarchy(Loop::default(), Hierarchical::RedGreenRestricted).unwrap(),
-            RefineError::OtherHistory,
-        ),
-        (
-            Subdivider::on_hierarchy(Midpoint, Hierarchical::Dynamic).unwrap(),
-            RefineError::OtherScheme { made: "loop", asked: "midpoint" },
-        ),
+        (Subdivider::red_green_restricted(Loop::default()).unwrap(), RefineError::OtherHistory),
+        (Subdivider::dynamic(Midpoint).unwrap(), RefineError::OtherScheme { made: "loop", asked: "midpoint" }),
     ];
     for (other, expected) in others {
         assert_eq!(other.step(mesh, history, &selection, scratch, &mut Control::default()), Err(expected));
@@ -507,15 +506,43 @@ fn what_is_not_finite_is_not_kept() {
 #[test]
 fn schemes_that_leave_no_cracks_are_refused() {
     for scheme in [AnyScheme::from(Sqrt3::default()), FourEight::default().into()] {
-        for method in METHODS {
-            let error = Subdivider::on_hierarchy(scheme.clone(), method).unwrap_err().to_string();
-            assert!(
-                error.starts_with(&format!("method = {method}: a scheme that splits triangles in four")),
-                "{error}"
-            );
+        for (_, make) in METHODS {
+            let error = make(scheme.clone()).unwrap_err().to_string();
+            assert!(error.contains("one that splits triangles in four"), "{error}");
         }
         assert!(Dynamic::new(scheme).is_err());
     }
+}
+
+/// A value that is a position goes where the position goes, to the bit; not after something was given up.
+#[test]
+fn what_follows_goes_where_positions_go() {
+    for (name, scheme) in schemes() {
+        for (method, make) in METHODS {
+            let mut random = Random::new(7);
+            let mesh = shapes::grid(5, 4);
+            let mut run = Run::new(&mesh);
+            let mut values = Values::new(mesh.positions().to_vec());
+            for level in 1..=4 {
+                let selection = moving(&run, &mut random);
+                let mut control = Control { follower: Some(&mut values), ..Control::default() };
+                let (mesh, history) = (&mut run.mesh, &mut run.history);
+                let subdivider = make(scheme.clone()).unwrap();
+                subdivider.step(mesh, history, &selection, &mut Scratch::new(), &mut control).unwrap();
+                let found = values.shown().iter().map(|&value| bits(value));
+                assert!(found.eq(run.mesh.positions().iter().map(|&p| bits(p))), "{name}, {method}, level {level}");
+            }
+        }
+    }
+    let mut script = Scripted::new(&Loop::default().into(), &shapes::octahedron());
+    let v = VertexId::new(0);
+    script.refine(v, 2).unwrap();
+    script.coarsen(v, 2).unwrap();
+    let mut values = Values::new(script.run.mesh.positions().to_vec());
+    let mut control = Control { follower: Some(&mut values), ..Control::default() };
+    let Run { mesh, history } = &mut script.run;
+    let refined = script.dynamic.refine(mesh, history, v, 1, &mut Scratch::new(), &mut control);
+    assert_eq!(refined, Err(RefineError::JoinedLate));
 }
 
 #[test]

@@ -50,7 +50,8 @@ pub enum RefineError {
     /// positions of all levels from the first step on.
     OtherPositions,
     /// What goes along with the mesh was not there before, and the step reads values that earlier ones kept: adaptive √3 from
-    /// the second step on, 4-8 where triangles of several generations meet.
+    /// the second step on, 4-8 where triangles of several generations meet. Or, on a hierarchy, something was given up before,
+    /// which nothing follows.
     JoinedLate,
     /// In one run, steps on a hierarchy of another method, or of another kind than those before.
     OtherHistory,
@@ -61,7 +62,7 @@ pub enum RefineError {
         /// The one that was asked for.
         asked: &'static str,
     },
-    /// Attributes of faces or their corners, on a hierarchy any, cannot be taken along by a step that cuts triangles in this way.
+    /// Attributes of faces or their corners cannot be taken along by a step that cuts triangles in this way.
     Unfollowed {
         /// How it does.
         asked: &'static str,

@@ -1,6 +1,6 @@
 //! Any scheme, chosen while the program runs.
 
-use super::{Butterfly, FourEight, Loop, LoopWeights, Midpoint, ModifiedButterfly, Reach, Scheme, Sqrt3};
+use super::{Butterfly, FourEight, Loop, Midpoint, ModifiedButterfly, Reach, Scheme, Sqrt3};
 use crate::step::SplitKind;
 
 /// One of the schemes. The pipeline tells them apart once a step; inside a step everything is static.

@@ -86,6 +86,11 @@ impl Places {
         *top
     }
 
+    /// Whether any vertex has moved.
+    pub(crate) fn any(&self) -> bool {
+        self.free.len() < self.places.len()
+    }
+
     pub(crate) fn memory_bytes(&self) -> usize {
         (self.tops.capacity() + self.free.capacity()) * size_of::<u32>() + self.places.capacity() * size_of::<Place>()
     }

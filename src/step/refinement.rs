@@ -19,6 +19,8 @@ pub(crate) struct Refinement {
     pub(crate) scheme: &'static str,
     /// Whether stars are asked for, so that they can be given up again.
     pub(crate) goes_back: bool,
+    /// Whether any were.
+    pub(crate) gave_up: bool,
 }
 
 impl Refinement {
@@ -31,6 +33,7 @@ impl Refinement {
             input_tags: mesh.tags().clone(),
             scheme,
             goes_back,
+            gave_up: false,
         }
     }
 

@@ -175,8 +175,8 @@ impl MaskWriter<'_> {
 
 /// Takes a mask of vertices under the names of their values.
 pub(super) struct Named<'a, F> {
-    mask: &'a mut Mask<ValueId>,
-    name: F,
+    pub(super) mask: &'a mut Mask<ValueId>,
+    pub(super) name: F,
 }
 
 impl<F: Fn(VertexId) -> ValueId> MaskSink for Named<'_, F> {

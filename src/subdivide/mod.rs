@@ -265,7 +265,7 @@ impl Subdivider {
     /// So what new vertices are made of is always that of a uniform mesh: whatever the selections are, every vertex is where
     /// uniform refinement of some number of levels has it, bit for bit
     /// ([`Certificate::exact_level`](crate::certify::Certificate::exact_level)), and triangles that share a vertex differ by at
-    /// most one level. Source: `[incremental]`, with restriction from `[zorin1997]`.
+    /// most one level. Source: `[incremental]`, `[zorin1997]`.
     ///
     /// # Errors
     /// Under a scheme that does not split triangles in four, with the reason.

@@ -200,9 +200,10 @@ pub(crate) struct RefineArguments {
     /// How many steps; 0 copies the mesh. With `mobile` as many as it takes, but no more than this if it is given
     #[arg(long, value_name = "N", allow_negative_numbers = true, required_unless_present = "accuracy")]
     pub(crate) levels: Option<u8>,
-    /// What each step refines: everything; the selection; the selection with the rings around it; the faces
-    /// inside the selection, closed anew in each step; or of the selection what is farther from its limit than --accuracy,
-    /// under `loop`
+    /// What each step refines: everything; the selection; the selection with the rings around it; the faces inside the
+    /// selection, closed anew in each step; the same with what it needs to be exact; all faces around selected vertices,
+    /// up to the level of the step, with what that needs; or of the selection what is farther from its limit than
+    /// --accuracy, under `loop`
     #[arg(long)]
     pub(crate) method: MethodName,
     /// How near to its limit `mobile` brings a vertex before it stays for ever
@@ -354,7 +355,16 @@ pub(crate) enum MethodName {
     Simple,
     Incremental,
     RedGreen,
+    RedGreenRestricted,
+    Dynamic,
     Mobile,
+}
+
+impl MethodName {
+    /// Whether a step takes edges back that one before it drew, so that new faces do not lie in old ones.
+    pub(crate) fn takes_back(self) -> bool {
+        matches!(self, Self::RedGreen | Self::RedGreenRestricted | Self::Dynamic)
+    }
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]

@@ -98,7 +98,7 @@ pub(crate) fn to_take_along(
         return refuse(format!("{option} has no meaning with {path}: it has no {what}; leave it out"));
     }
     let faces_ride_along = refine::scheme(&arguments.refine).split_kind() == SplitKind::Quadrisect
-        && arguments.refine.method != MethodName::RedGreen;
+        && !arguments.refine.method.takes_back();
     Ok(match said {
         Some((triangles, said)) if !faces_ride_along && arguments.refine.levels() > 0 => {
             Some((triangles, without_faces(arguments, said)?))
@@ -111,7 +111,7 @@ pub(crate) fn to_take_along(
 /// What rides along where faces do not lie in those of the step before, for the scheme or the method: colours.
 fn without_faces(arguments: &SubdivideArguments, said: FaceAttributes) -> Result<FaceAttributes, Failure> {
     let (scheme, method) = (arguments.refine.scheme, arguments.refine.method);
-    let who = if method == MethodName::RedGreen { format!("--method {method}") } else { format!("--scheme {scheme}") };
+    let who = if method.takes_back() { format!("--method {method}") } else { format!("--scheme {scheme}") };
     if arguments.uv.is_some() {
         return refuse(format!(
             "--uv has no meaning with {who}: it does not take texture coordinates along; leave it out"

@@ -172,25 +172,19 @@ fn blocks(arguments: &RefineArguments) -> Blocks {
 }
 
 fn subdivider(arguments: &RefineArguments, scheme: AnyScheme) -> Result<Subdivider, Failure> {
-    Ok(match arguments.method {
-        MethodName::Uniform => Subdivider::new(scheme, Uniform),
-        MethodName::Simple => Subdivider::new(scheme, Simple),
-        MethodName::Incremental => match Incremental::new(rings(arguments)) {
-            Ok(method) => Subdivider::new(scheme, method),
-            Err(error) => return refuse(format!("--{error}")),
-        },
-        MethodName::RedGreen => match Subdivider::red_green(scheme) {
-            Ok(subdivider) => subdivider,
-            Err(error) => return refuse(format!("--{error}")),
-        },
+    let subdivider = match arguments.method {
+        MethodName::Uniform => Ok(Subdivider::new(scheme, Uniform)),
+        MethodName::Simple => Ok(Subdivider::new(scheme, Simple)),
+        MethodName::Incremental => Incremental::new(rings(arguments)).map(|method| Subdivider::new(scheme, method)),
+        MethodName::RedGreen => Subdivider::red_green(scheme),
+        MethodName::RedGreenRestricted => Subdivider::red_green_restricted(scheme),
+        MethodName::Dynamic => Subdivider::dynamic(scheme),
         MethodName::Mobile => {
             let accuracy = arguments.accuracy.expect("without it the arguments are refused");
-            match Subdivider::mobile(scheme, accuracy) {
-                Ok(subdivider) => subdivider,
-                Err(error) => return refuse(format!("--{error}")),
-            }
+            Subdivider::mobile(scheme, accuracy)
         }
-    })
+    };
+    subdivider.or_else(|error| refuse(format!("--{error}")))
 }
 
 pub(crate) fn rings(arguments: &RefineArguments) -> usize {

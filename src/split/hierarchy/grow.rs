@@ -4,7 +4,7 @@
 //! is split only if the stars of its three corners at level k are complete. So each need leads one level down, and ends. What
 //! is there before a triangle is split is then the whole surroundings from which its new vertices are made.
 //!
-//! Source: restriction `[zorin1997]`, as `[incremental]` combines it with red-green refinement.
+//! Source: `[zorin1997]` for restriction, `[incremental]` for its use with red-green refinement.
 
 use super::{Across, Levels};
 use crate::error::RefineError;

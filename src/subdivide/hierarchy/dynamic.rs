@@ -131,7 +131,9 @@ impl Dynamic {
         })
     }
 
-    /// Gives stars up that were asked for at this very level. What nothing else needs goes; what something needs stays until
+    /// Gives stars up that were asked for at this very level. Nobody can follow this, nor what comes after it.
+    ///
+    /// What nothing else needs goes; what something needs stays until
     /// it does not.
     ///
     /// # Errors

@@ -4,7 +4,8 @@ use std::mem;
 
 use glam::DVec3;
 
-use super::patch::{Patch, View};
+use super::follow;
+use super::patch::{Center, Patch, View};
 use super::sharpness::LevelTags;
 use super::{Change, Site, show_change};
 use crate::error::RefineError;
@@ -31,9 +32,11 @@ pub(super) fn grow<S: Scheme>(
     add: impl FnOnce(&mut Grower<'_>) -> Result<(), RefineError>,
 ) -> Result<Change, RefineError> {
     let Site { mesh, refinement, scratch, .. } = site;
-    if control.follower.is_some() {
-        return Err(RefineError::Unfollowed { asked: "steps on a hierarchy" });
+    control.allow_follower(refinement.places.any())?;
+    if control.follower.is_some() && refinement.gave_up {
+        return Err(RefineError::JoinedLate);
     }
+    let before = mesh.vertex_count();
     let mut buffers = scratch.take::<Buffers>();
     let Buffers { growth, patch } = &mut *buffers;
     growth.clear();
@@ -44,6 +47,9 @@ pub(super) fn grow<S: Scheme>(
         Ok(()) => {
             split_tags(mesh, refinement, growth);
             let mut change = show_change(mesh, refinement, &growth.made, scratch);
+            let view = View::new(mesh.rotation(), mesh.positions(), refinement);
+            let after = mesh.vertex_count();
+            control.show(before, after, |masks| follow::show(scheme, view, growth, &change, masks));
             change.added.clone_from(&growth.made);
             change.added.sort_unstable();
             Ok(change)
@@ -86,14 +92,15 @@ fn place<S: Scheme>(
             done += 1;
             match birth {
                 Some(birth) => {
-                    let position = finite(patch.odd(scheme, view, &birth.parent, level - 1), birth.parent.p)?;
+                    let position =
+                        finite(patch.position(scheme, view, Center::Edge(birth.parent), level - 1), birth.parent.p)?;
                     match positions.get_mut(v.index()) {
                         Some(free) => replaced.push((v.index(), mem::replace(free, position))),
                         None => positions.push(position),
                     }
                 }
                 None => {
-                    let position = finite(patch.even(scheme, view, v, level - 1), v)?;
+                    let position = finite(patch.position(scheme, view, Center::Vertex(v), level - 1), v)?;
                     let birth = positions[v.index()];
                     refinement.places.push(v, level, birth, position);
                     moved.push(v);

@@ -14,6 +14,7 @@
 //! **Deliberately not here**: rings, restriction and closing ([`crate::split`]), weights ([`crate::scheme`]).
 
 mod dynamic;
+mod follow;
 mod grow;
 mod patch;
 mod sharpness;

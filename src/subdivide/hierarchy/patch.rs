@@ -6,9 +6,11 @@ use super::sharpness::LevelTags;
 use crate::id::{Edge, VertexId};
 use crate::mesh::{Neighborhood, Tags};
 use crate::rotation::{Ring, RingBuf, RotationSystem};
-use crate::scheme::{Reach, Scheme, WeightedSum};
+use crate::scheme::{Mask, MaskSink, Reach, Scheme, WeightedSum};
 use crate::split::hierarchy::Levels;
 use crate::step::{Parent, Places, Refinement};
+use crate::subdivide::ValueId;
+use crate::subdivide::follow::Named;
 use crate::subdivide::positions::NO_POSITION;
 
 /// All levels of a refinement, with positions.
@@ -28,6 +30,11 @@ impl<'a> View<'a> {
         Self { levels, tags, places: &refinement.places, positions }
     }
 
+    /// Whether a vertex has moved, so that it is known where it is at each of its levels.
+    pub(super) fn has_moved(self, v: VertexId) -> bool {
+        self.places.at(v, u8::MAX).is_some()
+    }
+
     /// Where a vertex is at a level.
     pub(super) fn position(self, v: VertexId, level: u8) -> DVec3 {
         self.places.at(v, level).unwrap_or(self.positions[v.index()])
@@ -44,28 +51,68 @@ pub(super) struct Patch {
     positions: Vec<DVec3>,
 }
 
+/// What gets a position at the next level.
+#[derive(Clone, Copy)]
+pub(super) enum Center {
+    /// A vertex whose star is complete.
+    Vertex(VertexId),
+    /// The vertex that splits an edge.
+    Edge(Parent),
+}
+
 impl Patch {
-    /// Where a vertex goes at the level after one at which its star is complete.
-    pub(super) fn even<S: Scheme>(&mut self, scheme: &S, view: View<'_>, v: VertexId, level: u8) -> DVec3 {
-        self.begin([v]);
-        self.add_star(view, 0, level);
-        let center = VertexId::new(0);
-        self.sum(view, level, |around, sum| scheme.even(around, center, sum))
+    /// Where something goes, from a level to the next.
+    pub(super) fn position<S: Scheme>(&mut self, scheme: &S, view: View<'_>, center: Center, level: u8) -> DVec3 {
+        let center = self.gather(view, center, level, scheme.reach());
+        self.positions.clear();
+        self.positions.extend(self.names.iter().map(|&v| view.position(v, level)));
+        let mut sum = WeightedSum::new(|v: VertexId| self.positions[v.index()]);
+        self.write(scheme, center, &mut sum);
+        sum.total().unwrap_or(NO_POSITION)
     }
 
-    /// Where the vertex is made that splits an edge of a level.
-    pub(super) fn odd<S: Scheme>(&mut self, scheme: &S, view: View<'_>, parent: &Parent, level: u8) -> DVec3 {
-        let Parent { p, q, left, right } = *parent;
-        self.begin([p, q]);
-        if scheme.reach() == Reach::BothStars {
-            self.add_star(view, 0, level);
-            self.add_star(view, 1, level);
-        } else {
-            self.add_edge(view, parent, level);
+    /// Writes the mask of that under other names.
+    pub(super) fn mask<S: Scheme>(
+        &mut self,
+        scheme: &S,
+        view: View<'_>,
+        (center, level): (Center, u8),
+        name: impl Fn(VertexId) -> ValueId,
+        mask: &mut Mask<ValueId>,
+    ) {
+        let center = self.gather(view, center, level, scheme.reach());
+        self.write(scheme, center, &mut Named { mask, name: |v: VertexId| name(self.names[v.index()]) });
+    }
+
+    fn write<S: Scheme>(&self, scheme: &S, center: Center, mask: &mut impl MaskSink) {
+        let around = Neighborhood::new(&self.rotation, &self.tags);
+        match center {
+            Center::Vertex(v) => scheme.even(around, v, mask),
+            Center::Edge(parent) => scheme.odd(around, &parent, mask),
         }
-        let [left, right] = [left, right].map(|corner| corner.map(|corner| self.number(corner)));
-        let local = Parent { p: VertexId::new(0), q: VertexId::new(1), left, right };
-        self.sum(view, level, |around, sum| scheme.odd(around, &local, sum))
+    }
+
+    /// Takes in what the mask reads, and answers with the center by its numbers here.
+    fn gather(&mut self, view: View<'_>, center: Center, level: u8, reach: Reach) -> Center {
+        let [first, second] = [0, 1].map(VertexId::new);
+        match center {
+            Center::Vertex(v) => {
+                self.begin([v]);
+                self.add_star(view, first, level);
+                Center::Vertex(first)
+            }
+            Center::Edge(parent) => {
+                self.begin([parent.p, parent.q]);
+                if reach == Reach::BothStars {
+                    self.add_star(view, first, level);
+                    self.add_star(view, second, level);
+                } else {
+                    self.add_edge(view, &parent, level);
+                }
+                let [left, right] = [parent.left, parent.right].map(|corner| corner.map(|corner| self.number(corner)));
+                Center::Edge(Parent { p: first, q: second, left, right })
+            }
+        }
     }
 
     fn begin<const N: usize>(&mut self, centers: [VertexId; N]) {
@@ -86,19 +133,19 @@ impl Patch {
         VertexId::new(number)
     }
 
-    /// Adds the star of the vertex with the next number.
-    fn add_star(&mut self, view: View<'_>, number: usize, level: u8) {
-        let v = self.names[number];
+    /// Adds the star of the center with the next number.
+    fn add_star(&mut self, view: View<'_>, center: VertexId, level: u8) {
+        let v = self.names[center.index()];
         let ring = view.levels.ring(v, level);
         let local = RingBuf::like(ring.as_ring(), |w| self.number(w));
         self.rotation.push_ring(local);
         if !view.tags.is_empty() {
-            self.add_tags(view, number, ring.as_ring(), level);
+            self.add_tags(view, center, ring.as_ring(), level);
         }
     }
 
-    fn add_tags(&mut self, view: View<'_>, number: usize, ring: Ring<'_>, level: u8) {
-        let (v, center) = (self.names[number], VertexId::new(number));
+    fn add_tags(&mut self, view: View<'_>, center: VertexId, ring: Ring<'_>, level: u8) {
+        let v = self.names[center.index()];
         self.tags.set_rule(view.tags.rule());
         self.tags.set_vertex_sharpness(center, view.tags.of_vertex(v, level));
         for (first, sharpness) in view.tags.around(v, level) {
@@ -119,20 +166,5 @@ impl Patch {
             let sharpness = view.tags.of_edge(parent.p, parent.q, level);
             self.tags.set_sharpness(Edge::new(VertexId::new(0), q), sharpness);
         }
-    }
-
-    /// Applies a mask to positions of a level.
-    fn sum(
-        &mut self,
-        view: View<'_>,
-        level: u8,
-        write: impl FnOnce(Neighborhood<'_>, &mut WeightedSum<DVec3, &dyn Fn(VertexId) -> DVec3>),
-    ) -> DVec3 {
-        self.positions.clear();
-        self.positions.extend(self.names.iter().map(|&v| view.position(v, level)));
-        let position = |v: VertexId| self.positions[v.index()];
-        let mut sum = WeightedSum::new(&position as &dyn Fn(VertexId) -> DVec3);
-        write(Neighborhood::new(&self.rotation, &self.tags), &mut sum);
-        sum.total().unwrap_or(NO_POSITION)
     }
 }

@@ -18,6 +18,7 @@ pub(super) fn shrink(site: Site<'_>, given_up: impl IntoIterator<Item = VertexId
         shrinker.settle(v);
     }
     let Shrinker { mut removed, lost, .. } = shrinker;
+    refinement.gave_up = true;
     if scheme.moves_even() {
         for v in lost {
             if let Some(birth) = refinement.places.pop(v) {
