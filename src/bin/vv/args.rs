@@ -152,6 +152,10 @@ pub(crate) struct SubdivideArguments {
     /// [default: recompute if the file has any and is refined]
     #[arg(long)]
     pub(crate) normals: Option<NormalsName>,
+    /// Go on with the run that this file tells of, if it is there, and write there how to go on after the last level: two
+    /// runs of one level make what one of two makes. MESH is the mesh with which the run began, or the one that it made
+    #[arg(long, value_name = "FILE.json", conflicts_with = "limit")]
+    pub(crate) state: Option<PathBuf>,
     /// Write a report, one row a level
     #[arg(long, value_name = "FILE.json")]
     pub(crate) report: Option<PathBuf>,
@@ -459,7 +463,7 @@ macro_rules! print_as_typed {
     };
 }
 
-print_as_typed!(SchemeName, LimitName, MethodName, BoundaryName, CreasesName);
+print_as_typed!(SchemeName, LimitName, MethodName, BlocksName, WeightsName, BoundaryName, CreasesName);
 
 fn accuracy(text: &str) -> Result<Accuracy, String> {
     let accuracy = text.parse().ok().and_then(|distance| Accuracy::new(distance).ok());

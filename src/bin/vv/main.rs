@@ -22,6 +22,7 @@ mod report;
 mod run;
 mod select;
 mod sharp;
+mod state;
 mod subdivide;
 mod table;
 mod tsv;

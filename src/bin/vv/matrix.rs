@@ -39,7 +39,8 @@ pub(crate) fn run(arguments: &MatrixArguments) -> Result<Outcome, Failure> {
     let face_limit = FaceLimit::with_matrix(asked, &mesh);
     let certificate = refine::scheme(asked).reach().is_some() && asked.method != MethodName::Uniform;
     let keep = Keep { names: false, certificate };
-    let mut run = refine::begin(mesh, asked, subdivider, &selecting, keep, face_limit)?;
+    let mut run = refine::begin(mesh, asked, subdivider, keep, face_limit)?;
+    selecting.select(&mut run)?;
     refine::refine(&mut run, asked, &selecting, face_limit, Some(&mut matrix), &mut bar)?;
     let weights = match limit::of_refinement(asked) {
         Ok(limit) if asked.limit => {

@@ -50,12 +50,11 @@ pub(crate) fn inputs<'a>(arguments: &'a RefineArguments, selecting: &'a Selectin
     inputs
 }
 
-/// Refuses what would not fit, and selects.
+/// Refuses what would not fit.
 pub(crate) fn begin(
     mesh: Mesh,
     arguments: &RefineArguments,
     subdivider: Subdivider,
-    selecting: &Selecting,
     keep: Keep,
     limit: FaceLimit,
 ) -> Result<Run, Failure> {
@@ -67,9 +66,7 @@ pub(crate) fn begin(
         };
         limit.refuse_uniform(mesh.face_count(), parts, arguments.levels())?;
     }
-    let mut run = Run::new(mesh, subdivider, keep);
-    selecting.select(&mut run)?;
-    Ok(run)
+    Ok(Run::new(mesh, subdivider, keep))
 }
 
 /// Makes all levels.
@@ -82,8 +79,9 @@ pub(crate) fn refine(
     bar: &mut Bar,
 ) -> Result<(), Failure> {
     let reach = scheme(arguments).reach();
-    for level in 1..=arguments.levels() {
-        if selecting.each_level && level > 1 {
+    let (first, last) = (run.next_level(), run.made_levels().saturating_add(arguments.levels()));
+    for level in first..=last {
+        if selecting.each_level && level > first {
             bar.hide();
             selecting.select(run)?;
         }
@@ -108,7 +106,7 @@ pub(crate) fn refine(
         if step.did_nothing() {
             break;
         }
-        if level == 1 {
+        if level == first {
             bar.hide();
             tell_of_unmatched(run);
         }
@@ -127,7 +125,7 @@ pub(crate) struct Selecting {
     expression: Expression,
     /// The files that the expression names.
     files: Vec<PathBuf>,
-    each_level: bool,
+    pub(crate) each_level: bool,
 }
 
 impl Selecting {
@@ -139,7 +137,7 @@ impl Selecting {
     }
 
     /// Evaluates the expression on the mesh as it is; picking nothing is legal, and told.
-    fn select(&self, run: &mut Run) -> Result<(), Failure> {
+    pub(crate) fn select(&self, run: &mut Run) -> Result<(), Failure> {
         run.selection = input::evaluate(self.option, &self.expression, &run.mesh, &mut run.scratch)?;
         if run.selection.is_empty() {
             let level = if self.each_level { format!("level {}: ", run.next_level()) } else { String::new() };

@@ -21,6 +21,8 @@ pub(crate) struct Run {
     pub(crate) selection: Selection,
     pub(crate) scratch: Scratch,
     pub(crate) levels: Vec<Row>,
+    /// What was selected in each step, if that is kept.
+    pub(crate) selections: Option<Vec<Selection>>,
     /// What the file says of the faces, if it is written again.
     pub(crate) attributes: Option<ObjAttributes>,
     subdivider: Subdivider,
@@ -29,8 +31,9 @@ pub(crate) struct Run {
 impl Run {
     pub(crate) fn new(mesh: Mesh, subdivider: Subdivider, keep: Keep) -> Self {
         let history = History::new(&mesh, keep);
-        let (selection, scratch, levels) = (Selection::empty(), Scratch::new(), Vec::new());
-        Self { mesh, history, selection, scratch, levels, attributes: None, subdivider }
+        let (selection, scratch) = (Selection::empty(), Scratch::new());
+        let (levels, selections) = (Vec::new(), None);
+        Self { mesh, history, selection, scratch, levels, selections, attributes: None, subdivider }
     }
 
     /// Makes one step for the selection, which then is the one that follows.
@@ -65,14 +68,22 @@ impl Run {
             }),
             seconds,
         });
-        self.selection.clone_from(&step.selection);
+        let selected = std::mem::replace(&mut self.selection, step.selection.clone());
+        if let Some(selections) = &mut self.selections {
+            selections.push(selected);
+        }
         Ok(step)
+    }
+
+    /// The last level that was made, 0 if none was.
+    pub(crate) fn made_levels(&self) -> u8 {
+        self.levels.last().map_or(0, |row| row.level)
     }
 
     /// The level that the next step makes.
     pub(crate) fn next_level(&self) -> u8 {
         // There are at most 255 levels, as that is what can be asked for.
-        self.levels.last().map_or(1, |row| row.level.saturating_add(1))
+        self.made_levels().saturating_add(1)
     }
 
     /// The certificate, if it is kept.

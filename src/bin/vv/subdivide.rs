@@ -5,8 +5,11 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use vvmesh::Accuracy;
-use vvmesh::io::write_atomically;
+use vvmesh::Mesh;
+use vvmesh::io::{FaceAttributes, ObjTags, write_atomically};
+use vvmesh::soup::FaceList;
 use vvmesh::step::Keep;
+use vvmesh::subdivide::Subdivider;
 
 use crate::Outcome;
 use crate::args::{BoundaryName, CreasesName, MethodName, SubdivideArguments};
@@ -19,6 +22,7 @@ use crate::progress::Bar;
 use crate::refine::Selecting;
 use crate::report::{self, Report, Sizes};
 use crate::run::Run;
+use crate::state::{self, State};
 use crate::table::count;
 use crate::{input, limit, refine, tsv};
 
@@ -28,16 +32,23 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let (subdivider, selecting) = refine::prepare(asked)?;
     check_outputs(arguments, &selecting)?;
 
-    let Input { mut mesh, said, tags } = input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
-    let boundary = refine::tag(&mut mesh, tags.as_ref(), asked)?;
+    let begun = match &arguments.state {
+        Some(path) => State::read(path, asked)?.map(|state| (path.as_path(), state)),
+        None => None,
+    };
+    let Input { mesh, said, tags } = input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
     let said = attributes::to_take_along(arguments, &mesh, said)?;
     let limit = match said {
         Some(_) => FaceLimit::with_attributes(asked.max_faces),
         None => FaceLimit::new(asked.max_faces),
     };
-    let mut run = refine::begin(mesh, asked, subdivider, &selecting, keep(arguments), limit)?;
-    if let Some((triangles, said)) = said {
-        run.attributes = Some(attributes::take_along(arguments, &run, &triangles, said)?);
+    let ready = Ready { arguments, subdivider, said, limit };
+    let (mut run, boundary, state) = match begun {
+        None => ready.begin(mesh, tags.as_ref())?,
+        Some((path, state)) => ready.go_on(&mesh, path, state)?,
+    };
+    if selecting.each_level || !state.as_ref().is_some_and(|state| state.follows(refine::expression(asked))) {
+        selecting.select(&mut run)?;
     }
     let input = run.sizes();
     refine::refine(&mut run, asked, &selecting, limit, None, &mut bar)?;
@@ -54,7 +65,7 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
         Some(faces) => Finished::of_faces(&run.mesh, faces),
         None => Finished::new(&run.mesh, attributes),
     };
-    let written = write(arguments, &run, &finished, &report);
+    let written = write(arguments, &run, &finished, &report, state);
     bar.hide();
     written?;
     if arguments.json {
@@ -65,6 +76,62 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
+/// What a run is made of beside its mesh.
+struct Ready<'a> {
+    arguments: &'a SubdivideArguments,
+    subdivider: Subdivider,
+    said: Option<(FaceList, FaceAttributes)>,
+    limit: FaceLimit,
+}
+
+/// A run before its first step, or the first one more; with the state if there is one.
+type Begun = (Run, BoundaryName, Option<State>);
+
+impl Ready<'_> {
+    /// A run of a mesh that was read.
+    fn begin(self, mut mesh: Mesh, tags: Option<&ObjTags>) -> Result<Begun, Failure> {
+        let (arguments, asked) = (self.arguments, &self.arguments.refine);
+        let boundary = refine::tag(&mut mesh, tags, asked)?;
+        let state = arguments.state.as_ref().map(|_| State::new(&mesh, asked, boundary));
+        let mut run = refine::begin(mesh, asked, self.subdivider, keep(arguments), self.limit)?;
+        run.selections = state.as_ref().map(|_| Vec::new());
+        attach(arguments, &mut run, self.said)?;
+        Ok((run, boundary, state))
+    }
+
+    /// A run that was begun before, after its last step. What rides along has to be told for the mesh with which it began, or
+    /// for the one that was made.
+    fn go_on(self, mesh: &Mesh, path: &Path, state: State) -> Result<Begun, Failure> {
+        let (arguments, asked) = (self.arguments, &self.arguments.refine);
+        let (first, boundary) = state.begin(path)?;
+        let is_first = state::is_same(mesh, &first);
+        let mut run = refine::begin(first, asked, self.subdivider, keep(arguments), self.limit)?;
+        run.selections = Some(Vec::new());
+        let mut said = self.said;
+        if is_first {
+            attach(arguments, &mut run, said.take())?;
+        }
+        state.replay(&mut run, path, self.limit)?;
+        if !is_first && !state::is_same(mesh, &run.mesh) {
+            state::refuse_mesh(path, &asked.mesh, run.levels.len())?;
+        }
+        attach(arguments, &mut run, said)?;
+        Ok((run, boundary, Some(state)))
+    }
+}
+
+/// Lets ride along what the file says.
+fn attach(
+    arguments: &SubdivideArguments,
+    run: &mut Run,
+    said: Option<(FaceList, FaceAttributes)>,
+) -> Result<(), Failure> {
+    if let Some((triangles, said)) = said {
+        run.attributes = Some(attributes::take_along(arguments, run, &triangles, said)?);
+    }
+    Ok(())
+}
+
 fn check_outputs(arguments: &SubdivideArguments, selecting: &Selecting) -> Result<(), Failure> {
     fn named<'a>(option: &'static str, path: Option<&'a PathBuf>) -> Option<Named<'a>> {
         path.map(|path| (option, path.as_path()))
@@ -73,6 +140,7 @@ fn check_outputs(arguments: &SubdivideArguments, selecting: &Selecting) -> Resul
     attributes::refuse_without_meaning(arguments)?;
     let optional = [
         named(OUT, Some(&arguments.output)),
+        named("--state", arguments.state.as_ref()),
         named("--report", arguments.report.as_ref()),
         named("--vertex-table", arguments.vertex_table.as_ref()),
         named("--face-table", arguments.face_table.as_ref()),
@@ -118,7 +186,16 @@ fn report(arguments: &SubdivideArguments, run: &Run, input: Sizes, boundary: Bou
 }
 
 /// Writes what was asked for, the mesh last: when it is there, everything is.
-fn write(arguments: &SubdivideArguments, run: &Run, finished: &Finished<'_>, report: &Report) -> Result<(), Failure> {
+fn write(
+    arguments: &SubdivideArguments,
+    run: &Run,
+    finished: &Finished<'_>,
+    report: &Report,
+    state: Option<State>,
+) -> Result<(), Failure> {
+    if let Some((path, state)) = arguments.state.as_ref().zip(state) {
+        state.write(path, run, refine::expression(&arguments.refine))?;
+    }
     if let Some(path) = &arguments.vertex_table {
         write_atomically(path, |out| tsv::vertices(run, out))?;
     }
@@ -134,9 +211,9 @@ fn write(arguments: &SubdivideArguments, run: &Run, finished: &Finished<'_>, rep
 }
 
 fn text(arguments: &SubdivideArguments, report: &Report, faces: usize) -> String {
-    let SubdivideArguments { vertex_table, face_table, report: report_file, .. } = arguments;
+    let SubdivideArguments { vertex_table, face_table, report: report_file, state, .. } = arguments;
     let mut text = if report.levels.is_empty() { String::new() } else { report::table(&report.levels).to_string() };
-    let others = [vertex_table, face_table, report_file].into_iter().flatten().map(PathBuf::as_path);
+    let others = [vertex_table, face_table, report_file, state].into_iter().flatten().map(PathBuf::as_path);
     let line = |path: &Path, what: &dyn Display| format!("wrote {}{what}\n", path.display());
     let Sizes { vertices, .. } = report.totals.sizes;
     let sizes = format!(": {}, {}", count(vertices, "vertex", "vertices"), count(faces, "face", "faces"));
