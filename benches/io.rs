@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use vvmesh::glam::DVec3;
-use vvmesh::io::{read_obj, read_off, write_obj, write_off};
+use vvmesh::io::{Loaded, read_obj, read_off, read_ply, read_stl, write_obj, write_off, write_ply, write_stl};
 use vvmesh::soup::FaceList;
 use vvmesh::{Mesh, shapes};
 
@@ -34,6 +34,38 @@ fn with_attributes(obj: &str) -> String {
         text.push('\n');
     }
     text
+}
+
+/// The same as PLY in text.
+fn ply_text(mesh: &Mesh) -> Vec<u8> {
+    let mut off = Vec::new();
+    write_off(&mut off, mesh).expect("writing to memory succeeds");
+    let rows = off.split_inclusive(|&byte| byte == b'\n').skip(2).flatten();
+    let (vertices, faces) = (mesh.vertex_count(), mesh.face_count());
+    let header = format!(
+        "ply\nformat ascii 1.0\nelement vertex {vertices}\nproperty double x\nproperty double y\nproperty double z\n\
+         element face {faces}\nproperty list uchar int vertex_indices\nend_header\n"
+    );
+    header.bytes().chain(rows.copied()).collect()
+}
+
+/// The same as STL in text, with as many digits as single precision needs.
+fn stl_text(mesh: &Mesh) -> Vec<u8> {
+    let mut text = String::from("solid torus\n");
+    for triangle in mesh.triangles() {
+        text += "  facet normal 0 0 1\n    outer loop\n";
+        for position in triangle.corners().map(|v| mesh.position(v).as_vec3()) {
+            text += &format!("      vertex {:e} {:e} {:e}\n", position.x, position.y, position.z);
+        }
+        text += "    endloop\n  endfacet\n";
+    }
+    (text + "endsolid torus\n").into_bytes()
+}
+
+fn binary<E: std::fmt::Debug>(write: impl FnOnce(&mut Vec<u8>) -> Result<(), E>) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    write(&mut bytes).expect("writing to memory succeeds");
+    bytes
 }
 
 fn bare_tobj(mut text: &[u8]) -> tobj::LoadResult {
@@ -63,6 +95,19 @@ fn io(criterion: &mut Criterion) {
             bencher.iter_with_large_drop(|| bare_tobj(text).expect("it was written so"));
         });
     }
+    let (ply, stl) = (binary(|out| write_ply(out, &mesh)), binary(|out| write_stl(out, &mesh)));
+    type Reader = fn(&[u8]) -> Result<Loaded, vvmesh::error::ReadError>;
+    for (name, read, bytes) in [
+        ("ply-text", read_ply as Reader, &ply_text(&mesh)),
+        ("ply-binary", read_ply, &ply),
+        ("stl-text", read_stl, &stl_text(&mesh)),
+        ("stl-binary", read_stl, &stl),
+    ] {
+        group.throughput(Throughput::Bytes(bytes.len() as u64));
+        group.bench_function(BenchmarkId::new(format!("read-{name}"), faces), |bencher| {
+            bencher.iter_with_large_drop(|| read(bytes).expect("it was written so"));
+        });
+    }
     let mut out = Vec::with_capacity(off.len().max(obj.len()));
     group.throughput(Throughput::Bytes(off.len() as u64));
     group.bench_function(BenchmarkId::new("write-off", faces), |bencher| {
@@ -76,6 +121,20 @@ fn io(criterion: &mut Criterion) {
         bencher.iter(|| {
             out.clear();
             write_obj(&mut out, &mesh).expect("writing to memory succeeds");
+        });
+    });
+    group.throughput(Throughput::Bytes(ply.len() as u64));
+    group.bench_function(BenchmarkId::new("write-ply", faces), |bencher| {
+        bencher.iter(|| {
+            out.clear();
+            write_ply(&mut out, &mesh).expect("writing to memory succeeds");
+        });
+    });
+    group.throughput(Throughput::Bytes(stl.len() as u64));
+    group.bench_function(BenchmarkId::new("write-stl", faces), |bencher| {
+        bencher.iter(|| {
+            out.clear();
+            write_stl(&mut out, &mesh).expect("writing to memory succeeds");
         });
     });
     group.finish();

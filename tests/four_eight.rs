@@ -175,19 +175,7 @@ fn incremental_refinement_of_random_meshes_is_exact() {
 
 /// The manifold meshes of the folder.
 fn models() -> Vec<(String, Mesh)> {
-    let Some(folder) = common::meshes() else { return Vec::new() };
-    let good = |row: &plain::Row| row.cell("manifold") == "yes" && row.cell("genus") != "-";
-    let rows = plain::tables(&folder).into_iter().filter(|row| row.file.starts_with("models/") && good(row));
-    let model = |row: plain::Row| {
-        let list = plain::read(&folder.join(&row.file));
-        let triangles = list.triangulate().triangles;
-        let mesh =
-            Mesh::from_triangles(list.positions, &triangles).unwrap_or_else(|error| panic!("{}: {error}", row.file));
-        (row.file, mesh)
-    };
-    let models: Vec<_> = rows.map(model).collect();
-    assert!(models.len() >= 40, "only {} models", models.len());
-    models
+    common::meshes().map_or_else(Vec::new, |folder| plain::models(&folder))
 }
 
 fn disk(mesh: &Mesh, center: VertexId, radius: usize) -> Selection {

@@ -250,7 +250,7 @@ fn table(document: &str) -> Table {
 /// The names under `[dependencies]`.
 fn dependencies(manifest: &str) -> Vec<String> {
     let section = manifest.split("\n[dependencies]\n").nth(1).unwrap_or("").split("\n[").next().unwrap_or("");
-    section.lines().filter_map(|line| line.split_once(" = ")).map(|(name, _)| name.to_string()).collect()
+    section.lines().filter_map(|line| line.split_once(" = ")).map(|(name, _)| name.replace('-', "_")).collect()
 }
 
 fn root() -> &'static Path {

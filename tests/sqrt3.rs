@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a test that panics has failed")]
 
 mod common;
+#[path = "common/plain.rs"]
+mod plain;
 
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
@@ -105,22 +107,9 @@ fn a_regular_grid_stays_regular() {
 
 // What a step does to the topology.
 
-/// Every mesh file that can be read by the tests.
+/// The manifold meshes of the folder.
 fn models() -> Vec<(String, Mesh)> {
-    let Some(folder) = common::meshes() else { return Vec::new() };
-    let mut files: Vec<_> =
-        std::fs::read_dir(folder.join("models")).unwrap().map(|entry| entry.unwrap().path()).collect();
-    files.sort();
-    let loaded = files.into_iter().filter_map(|path| {
-        let name = path.file_name()?.to_str()?.to_owned();
-        vvmesh::io::read(&path).ok().and_then(|loaded| {
-            let triangles = loaded.faces.triangulate().triangles;
-            Mesh::from_triangles(loaded.faces.positions, &triangles).ok().map(|mesh| (name, mesh))
-        })
-    });
-    let loaded: Vec<_> = loaded.filter(|(_, mesh)| mesh.face_count() < 12_000).collect();
-    assert!(loaded.len() > 20, "only {} meshes were read", loaded.len());
-    loaded
+    common::meshes().map_or_else(Vec::new, |folder| plain::models(&folder))
 }
 
 fn counts(mesh: &Mesh) -> [usize; 3] {

@@ -27,6 +27,24 @@ pub enum ReadErrorKind {
     NotANumber(String),
     /// A whole number was expected: what stands there.
     NotAnInteger(String),
+    /// The header of a PLY file is not as it should be: in which way.
+    Header(String),
+    /// A value of a PLY file does not fit the type that the header gives its property.
+    NotOfType {
+        /// The property, with its type.
+        property: String,
+        /// What stands there.
+        found: String,
+    },
+    /// Bytes stand after what the header announced: how many.
+    TrailingBytes(usize),
+    /// Another word was expected.
+    Word {
+        /// The word, or what it stands for.
+        expected: &'static str,
+        /// What stands there.
+        found: String,
+    },
     /// A statement has too few or too many numbers.
     NumberCount {
         /// What the numbers are.
@@ -65,13 +83,15 @@ pub enum ReadErrorKind {
     TooMany(&'static str),
 }
 
-/// A file could not be read: which one, and the line at which that was found.
+/// A file could not be read: which one, and the line or byte at which that was found.
 #[derive(Debug)]
 pub struct ReadError {
     /// The file, if the bytes came from one.
     pub path: Option<PathBuf>,
     /// The line, from 1, if one is to blame.
     pub line: Option<usize>,
+    /// How many bytes were read before, in a binary part.
+    pub byte: Option<usize>,
     /// What is wrong with it.
     pub kind: ReadErrorKind,
 }
@@ -79,12 +99,17 @@ pub struct ReadError {
 impl ReadError {
     /// An error of a whole file.
     pub(crate) fn whole(kind: ReadErrorKind) -> Self {
-        Self { path: None, line: None, kind }
+        Self { path: None, line: None, byte: None, kind }
     }
 
     /// An error at a line.
     pub(crate) fn at(line: usize, kind: ReadErrorKind) -> Self {
-        Self { path: None, line: Some(line), kind }
+        Self { path: None, line: Some(line), byte: None, kind }
+    }
+
+    /// An error behind so many bytes.
+    pub(crate) fn behind(byte: usize, kind: ReadErrorKind) -> Self {
+        Self { path: None, line: None, byte: Some(byte), kind }
     }
 }
 
@@ -96,6 +121,9 @@ impl fmt::Display for ReadError {
         if let Some(line) = self.line {
             write!(f, "line {line}: ")?;
         }
+        if let Some(byte) = self.byte {
+            write!(f, "byte {byte}: ")?;
+        }
         write!(f, "{}", self.kind)
     }
 }
@@ -105,12 +133,16 @@ impl fmt::Display for ReadErrorKind {
         match self {
             Self::Io(error) => write!(f, "{error}"),
             Self::UnknownFormat => {
-                write!(f, "neither the ending nor the content tells the format; OBJ (.obj) and OFF (.off) are read")
+                write!(
+                    f,
+                    "neither the ending nor the content tells the format; OBJ (.obj), OFF (.off), PLY (.ply) and STL (.stl) \
+                     are read"
+                )
             }
             Self::Unsupported(format) => {
                 write!(f, "this is {format}, which is not read; convert it to plain-text OBJ or OFF")
             }
-            Self::Empty => write!(f, "the file is empty; expected a mesh in OBJ or OFF"),
+            Self::Empty => write!(f, "the file is empty; expected a mesh in OBJ, OFF, PLY or STL"),
             Self::NoVertex => write!(f, "there is no vertex in the file; expected lines 'v x y z'"),
             Self::UnexpectedEnd(expected) => write!(f, "unexpected end of the file, expected {expected}"),
             Self::Trailing(found) => {
@@ -118,6 +150,12 @@ impl fmt::Display for ReadErrorKind {
             }
             Self::NotANumber(found) => write!(f, "expected a number, found '{found}'"),
             Self::NotAnInteger(found) => write!(f, "expected a whole number, found '{found}'"),
+            Self::Header(what) => write!(f, "the header is wrong: {what}"),
+            Self::NotOfType { property, found } => write!(f, "'{found}' does not fit the property {property}"),
+            Self::TrailingBytes(found) => {
+                write!(f, "{found} bytes stand after the last value; the counts in the header do not fit the file")
+            }
+            Self::Word { expected, found } => write!(f, "expected {expected}, found '{found}'"),
             Self::NumberCount { of, expected, found } => write!(f, "{of} has {expected} numbers, found {found}"),
             Self::IndexZero { of } => write!(f, "index out of range: {of} 0, indices count from 1"),
             Self::IndexOutOfRange { of, index, count } => {

@@ -31,7 +31,7 @@ impl fmt::Display for WriteError {
         write!(f, "cannot write {}: ", self.path.display())?;
         match &self.kind {
             WriteErrorKind::Io(error) => write!(f, "{error}"),
-            WriteErrorKind::UnknownEnding => write!(f, "the name must end in .obj or .off"),
+            WriteErrorKind::UnknownEnding => write!(f, "the name must end in .obj, .off, .ply or .stl"),
             WriteErrorKind::Folder => write!(f, "it is a folder; name a file in it"),
             WriteErrorKind::ReadOnly => {
                 write!(f, "the file there is read-only; take the protection off or name another")

@@ -4,17 +4,18 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::Format;
 use crate::soup::{FaceList, Triangulation};
 
-/// What an OBJ file says about its faces beside their corners, by the number of the face in the file.
+/// What an OBJ or PLY file says about its faces beside their corners, by the number of the face in the file.
 ///
 /// Names are stored once. Runs of faces with the same groups, object, material and smoothing are one entry, so this
-/// costs next to nothing for files without them. Reading OFF leaves it empty.
+/// costs next to nothing for files without them. Reading OFF and STL leaves it empty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FaceAttributes {
-    /// Values of `vt` lines in order; a missing second or third value is 0.
+    /// Values of `vt` lines in order; a missing second or third value is 0. Of PLY, those of the vertices or corners.
     pub texture_coordinates: Vec<[f64; 3]>,
-    /// Values of `vn` lines in order.
+    /// Values of `vn` lines in order; of PLY, those of the vertices.
     pub normals: Vec<DVec3>,
     /// Colours (red, green, blue, mostly 0 to 1) by vertex, `None` for one without; empty if no vertex has one.
     pub vertex_colors: Vec<Option<[f64; 3]>>,
@@ -88,6 +89,24 @@ impl FaceAttributes {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
+    }
+
+    /// What of it a file of a format has a place for: all in OBJ, colours and texture coordinates of two values in PLY,
+    /// nothing in others.
+    #[must_use]
+    pub fn held_by(self, format: Format) -> Self {
+        match format {
+            Format::Obj => self,
+            Format::Ply => {
+                let Self { vertex_colors, texture_indices, mut texture_coordinates, .. } = self;
+                if texture_indices.is_empty() {
+                    texture_coordinates.clear();
+                }
+                texture_coordinates.iter_mut().for_each(|values| values[2] = 0.0);
+                Self { vertex_colors, texture_indices, texture_coordinates, ..Self::default() }
+            }
+            Format::Off | Format::Stl => Self::default(),
+        }
     }
 
     /// The same for the triangles into which the faces of a list were [cut](FaceList::triangulate): a triangle has what

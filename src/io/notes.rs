@@ -11,7 +11,7 @@ pub struct Note {
     pub kind: NoteKind,
     /// How often it stands in the file.
     pub count: usize,
-    /// The line, from 1, where it stands first.
+    /// The line, from 1, where it stands first; 0 if there are no lines.
     pub line: usize,
 }
 
@@ -30,11 +30,11 @@ pub enum NoteKind {
     FreeForm,
     /// OBJ: a fourth coordinate, the weight of rational surfaces; without meaning for polygons, ignored.
     Weights,
-    /// OBJ: how to draw faces or cut them finer (`mg`, `lod`, `usemap` and the like), ignored.
+    /// OBJ: how to draw faces or cut them finer (`mg`, `lod`, `usemap` and the like), ignored; PLY: the file of a picture.
     Rendering,
-    /// OBJ: statements that are none of the format, ignored; the first of them.
+    /// OBJ, and the header of PLY: statements that are none of the format, ignored; the first of them.
     Unknown(String),
-    /// Colours of vertices: of OBJ kept among the attributes, of OFF ignored.
+    /// Colours of vertices: of OBJ and PLY kept among the attributes, of OFF ignored.
     VertexColors {
         /// Whether they are among the attributes.
         kept: bool,
@@ -45,6 +45,26 @@ pub enum NoteKind {
     VertexTexture,
     /// OFF: colours of faces, ignored.
     FaceColors,
+    /// PLY: properties without a place here, ignored.
+    Properties {
+        /// What has them: `vertex` or `face`.
+        of: &'static str,
+        /// Their names.
+        names: Vec<String>,
+    },
+    /// PLY: an element that is neither vertex nor face, ignored: its name.
+    Element(String),
+    /// STL: corners of triangles, welded to one vertex where their positions are equal.
+    Welded {
+        /// How many vertices they are now.
+        vertices: usize,
+    },
+    /// STL: normals of triangles, ignored.
+    FaceNormals,
+    /// STL: attribute bytes of triangles that are not 0, ignored.
+    AttributeBytes,
+    /// STL: solids, read as one.
+    Solids,
     /// OFF: the word `OFF` is missing at the start.
     NoHeader,
     /// The ending of the name says another format than the content: the latter.
@@ -74,6 +94,25 @@ impl fmt::Display for Note {
                 write!(f, "texture coordinates of {count} {} ignored", many("vertex", "vertices"))?;
             }
             NoteKind::FaceColors => write!(f, "colours of {count} {} ignored", many("face", "faces"))?,
+            NoteKind::Properties { of, names } => {
+                let of = match *of {
+                    "face" => many("face", "faces"),
+                    _ => many("vertex", "vertices"),
+                };
+                let property = if names.len() == 1 { "property" } else { "properties" };
+                return write!(f, "{property} '{}' of {count} {of} ignored (line {line})", names.join("', '"));
+            }
+            NoteKind::Element(name) => {
+                return write!(f, "element '{name}' with {count} {} ignored (line {line})", many("row", "rows"));
+            }
+            NoteKind::Welded { vertices } => {
+                return write!(f, "{count} corners welded to {vertices} vertices where their positions are equal");
+            }
+            NoteKind::FaceNormals => return write!(f, "normals of {count} {} ignored", many("face", "faces")),
+            NoteKind::AttributeBytes => {
+                return write!(f, "attribute bytes of {count} {} ignored", many("face", "faces"));
+            }
+            NoteKind::Solids => return write!(f, "{count} solids read as one"),
             NoteKind::NoHeader => return write!(f, "the word OFF is missing at the start; read as OFF all the same"),
             NoteKind::Ending(format) => {
                 return write!(f, "the content is {format}, whatever the ending says; read as {format}");

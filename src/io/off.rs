@@ -12,7 +12,7 @@ use glam::DVec3;
 use super::attributes::FaceAttributes;
 use super::notes::{self, Note, NoteKind};
 use super::obj_tags::TagLines;
-use super::text::{Words, float, integer, normalize, shown};
+use super::text::{Stream, float, integer, normalize, shown};
 use super::write::{self, Surface};
 use super::{Format, Loaded};
 use crate::error::{ReadError, ReadErrorKind};
@@ -213,7 +213,7 @@ impl Reader<'_> {
                 return Err(self.words.error(ReadErrorKind::TooMany("corners of faces")));
             }
             list.push_face(&corners);
-            let left = if starts_line { self.words.words.clone().take(5).count() } else { 0 };
+            let left = if starts_line { self.words.left_in_line(5) } else { 0 };
             if matches!(left, 1 | 3 | 4) {
                 notes::count(&mut self.notes, NoteKind::FaceColors, self.words.line);
                 for _ in 0..left {
@@ -247,61 +247,5 @@ impl Reader<'_> {
             Some(word) => Ok(word),
             None => Err(self.words.error(ReadErrorKind::UnexpectedEnd(expected()))),
         }
-    }
-}
-
-/// The words of a text, which knows the line it is in.
-struct Stream<'a> {
-    /// What follows the current line.
-    rest: &'a [u8],
-    words: Words<'a>,
-    /// The number of the current line, from 1.
-    line: usize,
-}
-
-impl<'a> Stream<'a> {
-    fn new(text: &'a [u8]) -> Self {
-        Self { rest: text, words: Words::new(b""), line: 0 }
-    }
-
-    #[inline]
-    fn next(&mut self) -> Option<&'a [u8]> {
-        loop {
-            if let Some(word) = self.words.next() {
-                return Some(word);
-            }
-            self.next_line()?;
-        }
-    }
-
-    fn next_line(&mut self) -> Option<()> {
-        if self.rest.is_empty() {
-            return None;
-        }
-        let length = self.rest.iter().position(|&byte| byte == b'\n').unwrap_or(self.rest.len());
-        self.words = Words::new(&self.rest[..length]);
-        self.rest = &self.rest[(length + 1).min(self.rest.len())..];
-        self.line += 1;
-        Some(())
-    }
-
-    fn peek(&self) -> Option<&'a [u8]> {
-        Stream { words: self.words.clone(), ..*self }.next()
-    }
-
-    /// Whether more words follow in the current line.
-    fn is_in_line(&self) -> bool {
-        self.words.clone().next().is_some()
-    }
-
-    /// How many words the next line with words has. To be asked at the end of a line.
-    fn words_in_next_line(&self) -> usize {
-        let mut ahead = Stream { words: self.words.clone(), ..*self };
-        if ahead.next().is_some() { 1 + ahead.words.count() } else { 0 }
-    }
-
-    /// An error in the current line.
-    fn error(&self, kind: ReadErrorKind) -> ReadError {
-        ReadError::at(self.line.max(1), kind)
     }
 }

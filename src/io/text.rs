@@ -78,6 +78,72 @@ impl<'a> Iterator for Words<'a> {
     }
 }
 
+/// The words of a text, which knows the line it is in.
+pub(super) struct Stream<'a> {
+    /// What follows the current line.
+    rest: &'a [u8],
+    words: Words<'a>,
+    /// The number of the current line, from 1.
+    pub(super) line: usize,
+}
+
+impl<'a> Stream<'a> {
+    pub(super) fn new(text: &'a [u8]) -> Self {
+        Self { rest: text, words: Words::new(b""), line: 0 }
+    }
+
+    #[inline]
+    pub(super) fn next(&mut self) -> Option<&'a [u8]> {
+        loop {
+            if let Some(word) = self.words.next() {
+                return Some(word);
+            }
+            self.next_line()?;
+        }
+    }
+
+    fn next_line(&mut self) -> Option<()> {
+        if self.rest.is_empty() {
+            return None;
+        }
+        let length = self.rest.iter().position(|&byte| byte == b'\n').unwrap_or(self.rest.len());
+        self.words = Words::new(&self.rest[..length]);
+        self.rest = &self.rest[(length + 1).min(self.rest.len())..];
+        self.line += 1;
+        Some(())
+    }
+
+    pub(super) fn peek(&self) -> Option<&'a [u8]> {
+        Stream { words: self.words.clone(), ..*self }.next()
+    }
+
+    /// Whether more words follow in the current line.
+    pub(super) fn is_in_line(&self) -> bool {
+        self.words.clone().next().is_some()
+    }
+
+    /// How many words follow in the current line, counted up to `enough`.
+    pub(super) fn left_in_line(&self, enough: usize) -> usize {
+        self.words.clone().take(enough).count()
+    }
+
+    /// Passes over what follows in the current line.
+    pub(super) fn skip_line(&mut self) {
+        self.words = Words::new(b"");
+    }
+
+    /// How many words the next line with words has. To be asked at the end of a line.
+    pub(super) fn words_in_next_line(&self) -> usize {
+        let mut ahead = Stream { words: self.words.clone(), ..*self };
+        if ahead.next().is_some() { 1 + ahead.words.count() } else { 0 }
+    }
+
+    /// An error in the current line.
+    pub(super) fn error(&self, kind: ReadErrorKind) -> ReadError {
+        ReadError::at(self.line.max(1), kind)
+    }
+}
+
 /// A number as Rust reads it: also `nan`, `inf`, `+1.` and `1e400`, which is infinite.
 #[inline]
 pub(super) fn float(word: &[u8]) -> Result<f64, ReadErrorKind> {

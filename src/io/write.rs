@@ -1,4 +1,4 @@
-//! Lines of numbers, written fast and so that reading gives the same bits.
+//! Lines of numbers, and bytes, written fast and so that reading gives the same bits.
 
 use std::io::{self, Write};
 
@@ -53,7 +53,7 @@ impl Surface for FaceList {
 /// Bytes gathered before they go to the writer.
 const GATHERED: usize = 1 << 16;
 
-/// Lines on their way to a writer.
+/// Lines, or bytes, on their way to a writer.
 pub(super) struct Lines<'a, W: Write> {
     out: &'a mut W,
     buffer: Vec<u8>,
@@ -65,7 +65,11 @@ impl<'a, W: Write> Lines<'a, W> {
     }
 
     pub(super) fn text(&mut self, text: &str) -> io::Result<()> {
-        self.buffer.extend_from_slice(text.as_bytes());
+        self.bytes(text.as_bytes())
+    }
+
+    pub(super) fn bytes(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.buffer.extend_from_slice(bytes);
         self.pass_on()
     }
 

@@ -1,17 +1,73 @@
-//! OFF and OBJ in a few lines, so that what tests expect of a file does not hang on the crate's own readers.
+//! OFF, OBJ, PLY and STL in a few lines, so that what tests expect of a file does not hang on the crate's own readers.
 
 #![allow(dead_code, reason = "no test file uses all of it")]
 #![allow(clippy::unwrap_used, reason = "a file that cannot be read stops the test")]
 
 use std::path::Path;
 
+use vvmesh::Mesh;
 use vvmesh::glam::DVec3;
 use vvmesh::soup::FaceList;
 
 /// Vertices and polygons of a file, anything else passed over.
 pub(crate) fn read(path: &Path) -> FaceList {
-    let text = std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    if path.extension().is_some_and(|ending| ending == "off") { off(&text) } else { obj(&text) }
+    let bytes = std::fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let text = String::from_utf8_lossy(&bytes);
+    match path.extension().and_then(|ending| ending.to_str()) {
+        Some("off") => off(&text),
+        Some("ply") => ply(&bytes),
+        Some("stl") if text.contains("endsolid") => stl(text.lines().filter_map(|line| {
+            let vertex = line.trim_start().strip_prefix("vertex")?;
+            Some(point(vertex.split_whitespace()))
+        })),
+        Some("stl") => stl(bytes[84..].chunks(50).flat_map(|triangle| triangle[12..48].chunks(12).map(single))),
+        _ => obj(&text),
+    }
+}
+
+/// Three coordinates, and corners counted in a byte, as in all the files that there are.
+fn ply(bytes: &[u8]) -> FaceList {
+    const END: &[u8] = b"end_header\n";
+    let start = bytes.windows(END.len()).position(|window| window == END).unwrap() + END.len();
+    let header = std::str::from_utf8(&bytes[..start]).unwrap();
+    assert!(header.contains("binary_little_endian") && header.contains("list uchar int"), "{header}");
+    let count = |name: &str| -> usize {
+        let line = header.lines().find_map(|line| line.strip_prefix("element ")?.strip_prefix(name));
+        line.unwrap().trim().parse().unwrap()
+    };
+    let (vertices, faces) = bytes[start..].split_at(12 * count("vertex"));
+    let mut list = FaceList::new(vertices.chunks(12).map(single).collect());
+    let mut rest = faces;
+    while let Some((&sides, more)) = rest.split_first() {
+        let (corners, more) = more.split_at(4 * usize::from(sides));
+        let corners: Vec<u32> = corners.chunks(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect();
+        list.push_face(&corners);
+        rest = more;
+    }
+    assert_eq!(list.face_count(), count("face"));
+    list
+}
+
+/// Triangles of these corners, equal ones being one vertex.
+fn stl(corners: impl Iterator<Item = DVec3>) -> FaceList {
+    let mut list = FaceList::default();
+    let corners: Vec<u32> = corners
+        .map(|corner| {
+            let known = list.positions.iter().position(|position| *position == corner);
+            let vertex = known.unwrap_or(list.positions.len());
+            if known.is_none() {
+                list.positions.push(corner);
+            }
+            vertex as u32
+        })
+        .collect();
+    corners.chunks(3).for_each(|triangle| list.push_face(triangle));
+    list
+}
+
+fn single(bytes: &[u8]) -> DVec3 {
+    let number = |word: &[u8]| f64::from(f32::from_le_bytes(word.try_into().unwrap()));
+    DVec3::new(number(&bytes[..4]), number(&bytes[4..8]), number(&bytes[8..12]))
 }
 
 fn off(text: &str) -> FaceList {
@@ -70,7 +126,7 @@ impl Row {
     }
 }
 
-/// The rows of all OBJ and OFF files in the tables of the README.
+/// The rows of all files in the tables of the README.
 pub(crate) fn tables(folder: &Path) -> Vec<Row> {
     let text = std::fs::read_to_string(folder.join("README.md")).expect("the folder has a README");
     let (mut place, mut header, mut rows) = (String::new(), Vec::new(), Vec::new());
@@ -82,12 +138,27 @@ pub(crate) fn tables(folder: &Path) -> Vec<Row> {
         let cells: Vec<String> = inner.unwrap_or_default().split(" | ").map(|cell| cell.trim().to_string()).collect();
         if cells[0] == "file" {
             header = cells;
-        } else if header.iter().any(|name| name == "chi") && (cells[0].ends_with(".off") || cells[0].ends_with(".obj"))
-        {
+        } else if header.iter().any(|name| name == "chi") && inner.is_some() && cells[0].contains('.') {
             rows.push(Row { file: format!("{place}{}", cells[0]), header: header.clone(), cells });
         } else if inner.is_none() {
             header.clear();
         }
     }
     rows
+}
+
+/// The manifold meshes among the models, polygons cut into triangles.
+pub(crate) fn models(folder: &Path) -> Vec<(String, Mesh)> {
+    let is_good = |row: &Row| row.cell("manifold") == "yes" && row.cell("genus") != "-";
+    let rows = tables(folder).into_iter().filter(|row| row.file.starts_with("models/") && is_good(row));
+    let model = |row: Row| {
+        let list = read(&folder.join(&row.file));
+        let triangles = list.triangulate().triangles;
+        let mesh =
+            Mesh::from_triangles(list.positions, &triangles).unwrap_or_else(|error| panic!("{}: {error}", row.file));
+        (row.file, mesh)
+    };
+    let models: Vec<_> = rows.map(model).collect();
+    assert!(models.len() >= 55, "only {} models", models.len());
+    models
 }

@@ -21,7 +21,7 @@ pub(crate) struct Row {
     pub(crate) has_normals: bool,
 }
 
-/// The rows about OBJ and OFF files.
+/// The rows of all files that are read; PLY is, with the feature for it.
 pub(crate) fn readme(folder: &Path) -> Vec<Row> {
     let text = std::fs::read_to_string(folder.join("README.md")).unwrap();
     let mut rows = Vec::new();
@@ -31,7 +31,11 @@ pub(crate) fn readme(folder: &Path) -> Vec<Row> {
             section = title.split(' ').next().unwrap();
         }
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
-        if cells.len() != 15 || !section.ends_with('/') || !(cells[1].ends_with(".obj") || cells[1].ends_with(".off")) {
+        let is_mesh = |name: &str| {
+            let is_read = |ending: &str| ending != "ply" || cfg!(feature = "ply");
+            name.rsplit_once('.').is_some_and(|(_, ending)| is_read(ending))
+        };
+        if cells.len() != 15 || !section.ends_with('/') || !is_mesh(cells[1]) {
             continue;
         }
         rows.push(Row {
@@ -46,7 +50,7 @@ pub(crate) fn readme(folder: &Path) -> Vec<Row> {
             has_normals: cells[12].split(' ').any(|word| word == "n"),
         });
     }
-    assert!(rows.len() >= 70, "the tables have changed: {} rows", rows.len());
+    assert!(rows.len() >= 74, "the tables have changed: {} rows", rows.len());
     rows
 }
 
@@ -58,6 +62,6 @@ pub(crate) fn bad(folder: &Path, ending: &str) -> Vec<[String; 3]> {
         .filter(|cells| cells[0].ends_with(ending))
         .map(|cells| [format!("bad/{}", cells[0]), cells[2].to_owned(), cells[3].to_owned()])
         .collect();
-    assert!(rows.len() >= 4);
+    assert!(!rows.is_empty());
     rows
 }
