@@ -94,7 +94,9 @@ fn options_without_meaning_are_refused() {
     desk.write("sharp.txt", "0 1\n");
     for (options, words) in [
         ("-o o.off --normals", "--normals: OFF has one normal"),
-        ("-o o.ply", "must end in .obj or .off"),
+        ("-o o.ply --normals", "--normals: PLY has one normal"),
+        ("-o o.stl --normals", "--normals: STL has normals of triangles"),
+        ("-o o.gltf", "must end in .obj, .off, .ply or .stl"),
         ("-o o.obj --scheme midpoint", "invalid value"),
         ("-o o.obj --scheme sqrt3 --weights loop", "--weights has no meaning with --scheme sqrt3"),
         ("-o o.obj --scheme butterfly --sharp sharp.txt", "--sharp has no meaning with --scheme butterfly"),

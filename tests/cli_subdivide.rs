@@ -592,8 +592,8 @@ fn outputs_are_looked_at_before_any_work() {
     let before = desk.names();
     let refine = "--scheme loop --levels 1 --method uniform";
     for (options, words) in [
-        ("-o o.ply", "the name must end in .obj or .off"),
-        ("-o o", "the name must end in .obj or .off"),
+        ("-o o.gltf", "the name must end in .obj, .off, .ply or .stl"),
+        ("-o o", "the name must end in .obj, .off, .ply or .stl"),
         ("-o nowhere/o.off", "there is no folder nowhere"),
         ("-o grid.obj/o.off", "grid.obj"),
         ("-o folder.off", "this is a folder"),

@@ -27,7 +27,7 @@ Example:
   vv demo
   vv subdivide spot.obj -o fine.obj --scheme loop --levels 3 --method incremental --select disk:0,2
 
-Meshes are read and written as OBJ and OFF. Ids count from 0, in OBJ too.
+Meshes are read and written as OBJ, OFF, PLY and STL. Ids count from 0, in OBJ too.
 Exit codes: 0 done, 1 check found something, 2 usage or input.")]
 pub(crate) struct Arguments {
     #[command(subcommand)]
@@ -72,7 +72,7 @@ Example:
 
 All numbers are those of the polygons as they stand in the file, whatever is wrong with them.")]
 pub(crate) struct InfoArguments {
-    /// The mesh, OBJ or OFF
+    /// The mesh: OBJ, OFF, PLY or STL
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
     /// Print JSON
@@ -89,7 +89,7 @@ Example:
 Exit codes: 0 conforming, 1 something was found, 2 the file could not be read.
 Isolated vertices are told but do no harm, and a boundary is no defect.")]
 pub(crate) struct CheckArguments {
-    /// The mesh, OBJ or OFF
+    /// The mesh: OBJ, OFF, PLY or STL
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
     /// How near to an edge a vertex lies on it [default: 1e-6 of the bounding-box diagonal]
@@ -108,7 +108,7 @@ pub(crate) struct CheckArguments {
 
 The ids are printed one a line, so the output can be given back as vertices:@ids.txt."))]
 pub(crate) struct SelectArguments {
-    /// The mesh, OBJ or OFF
+    /// The mesh: OBJ, OFF, PLY or STL
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
     /// Which vertices; see below
@@ -129,10 +129,11 @@ pub(crate) struct SelectArguments {
   vv subdivide spot.obj -o fine.obj --scheme loop --levels 3 --method incremental \\
       --select disk:0,4 --report report.json
 
-From OBJ to OBJ texture coordinates, colours, normals, groups, objects and materials are kept.
+From OBJ to OBJ texture coordinates, colours, normals, groups, objects and materials are kept; PLY
+has texture coordinates and colours in eight bits, STL nothing but corners in single precision.
 Files are written whole or not at all, and none before the last level is made."))]
 pub(crate) struct SubdivideArguments {
-    /// Where to write the refined mesh, OBJ or OFF by its ending
+    /// Where to write the refined mesh; the ending .obj, .off, .ply or .stl tells the format
     #[arg(short = 'o', value_name = "OUT")]
     pub(crate) output: PathBuf,
     #[command(flatten)]
@@ -195,7 +196,7 @@ pub(crate) struct MatrixArguments {
 // What every command that refines takes. No doc comment: it would stand in their help.
 #[derive(Args, Debug)]
 pub(crate) struct RefineArguments {
-    /// The mesh, OBJ or OFF
+    /// The mesh: OBJ, OFF, PLY or STL
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
     /// Which weights make the new positions; `sqrt3` also splits triangles in its own way, in three instead of four
@@ -249,10 +250,10 @@ At a sharp edge a vertex has a normal for each side, and the corners of faces na
 Where there is none (an isolated vertex, the tip of a cone, a fold) none is made up: that is told,
 and faces there are written without.")]
 pub(crate) struct LimitArguments {
-    /// The mesh, OBJ or OFF
+    /// The mesh: OBJ, OFF, PLY or STL
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
-    /// Where to write the mesh, OBJ or OFF by its ending
+    /// Where to write the mesh; the ending .obj, .off, .ply or .stl tells the format
     #[arg(short = 'o', value_name = "OUT")]
     pub(crate) output: PathBuf,
     /// The steps of which scheme
@@ -283,7 +284,7 @@ small at times; the depth that is called proven is never too small. Boundaries, 
 corners are part of both; a finite sharpness is refused. JSON has the measured distance at the
 proven depth, and lists of how many vertices and faces reach the accuracy at depth 0, 1 and so on.")]
 pub(crate) struct PredictArguments {
-    /// The mesh, OBJ or OFF
+    /// The mesh: OBJ, OFF, PLY or STL
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
     /// The distance from the limit surface to stay below

@@ -1,9 +1,10 @@
-//! What an OBJ file says of its faces, from the file through refinement to the file.
+//! What a file says of its faces, from the file through refinement to the file.
 
 use std::path::Path;
 
 use vvmesh::attributes::{Blend, LeftOut, NormalRule, ObjAttributes, ObjRules, Seams};
 use vvmesh::error::WriteError;
+use vvmesh::glam::DVec3;
 use vvmesh::io::{FaceAttributes, Format, save, save_with};
 use vvmesh::limit::LoopLimit;
 use vvmesh::soup::FaceList;
@@ -18,17 +19,22 @@ use crate::table::count;
 
 /// Refuses options that the output or the scheme give no meaning.
 pub(crate) fn refuse_without_meaning(arguments: &SubdivideArguments) -> Result<(), Failure> {
+    let format = Format::from_ending(&arguments.output);
+    let is_obj = format == Some(Format::Obj);
+    let has_place = is_obj || format == Some(Format::Ply);
     let given = [
-        ("--uv", arguments.uv.is_some()),
-        ("--colors", arguments.colors.is_some()),
-        ("--normals", arguments.normals.is_some()),
+        ("--uv", arguments.uv.is_some(), has_place, "OBJ and PLY are"),
+        ("--colors", arguments.colors.is_some(), has_place, "OBJ and PLY are"),
+        ("--normals", arguments.normals.is_some(), is_obj, "OBJ is"),
     ];
-    let is_obj = Format::from_ending(&arguments.output) == Some(Format::Obj);
-    if let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given && !is_obj) {
+    let mut given = given.into_iter().filter(|(_, is_given, ..)| *is_given);
+    if let Some((option, _, _, formats)) = given.clone().find(|(_, _, has_place, _)| !has_place) {
         let output = arguments.output.display();
-        return refuse(format!("{option} has no meaning with -o {output}: only OBJ is written with it; leave it out"));
+        return refuse(format!(
+            "{option} has no meaning with -o {output}: only {formats} written with it; leave it out"
+        ));
     }
-    if let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given && arguments.is_unclosed()) {
+    if let Some((option, ..)) = given.next().filter(|_| arguments.is_unclosed()) {
         return refuse(format!(
             "{option} has no meaning with --method mobile without --close: only positions and faces are written; leave it \
              out"
@@ -48,23 +54,26 @@ pub(crate) fn refuse_without_meaning(arguments: &SubdivideArguments) -> Result<(
     Ok(())
 }
 
-/// What a file says if the format of the output has a place for it; if not, it is told.
+/// What a file says as far as the format of the output has a place for it; what has none is told.
 pub(crate) fn for_output(
     path: &Path,
     output: &Path,
     said: Option<(FaceList, FaceAttributes)>,
 ) -> Option<(FaceList, FaceAttributes)> {
-    if Format::from_ending(output) == Some(Format::Obj) {
-        return said;
-    }
-    if said.is_some() {
+    let format = Format::from_ending(output)?;
+    let (triangles, said) = said?;
+    let held = said.clone().held_by(format);
+    if held != said {
+        let (written, not) = match format {
+            Format::Ply => ("colours and two texture coordinates", "groups, materials, normals or third ones"),
+            _ => ("positions and faces", "groups, materials, texture coordinates, normals or colours"),
+        };
         note(format_args!(
-            "{}: only positions and faces are written again, not groups, materials, texture coordinates, normals or \
-             colours: OFF has no place for them",
+            "{}: only {written} are written again, not {not}: {format} has no place for them",
             path.display()
         ));
     }
-    None
+    (!held.is_empty()).then_some((triangles, held))
 }
 
 /// What rides along of what a file says, if anything does; what does not is told.
@@ -75,9 +84,6 @@ pub(crate) fn to_take_along(
 ) -> Result<Option<(FaceList, FaceAttributes)>, Failure> {
     let path = arguments.refine.mesh.display();
     let said = for_output(&arguments.refine.mesh, &arguments.output, said);
-    if Format::from_ending(&arguments.output) != Some(Format::Obj) {
-        return Ok(None);
-    }
     if arguments.is_unclosed() {
         if said.is_some() {
             note(format_args!(
@@ -117,12 +123,16 @@ fn without_faces(arguments: &SubdivideArguments, said: FaceAttributes) -> Result
             "--uv has no meaning with {who}: it does not take texture coordinates along; leave it out"
         ));
     }
+    let is_obj = Format::from_ending(&arguments.output) == Some(Format::Obj);
+    let (others, hint) = match is_obj {
+        true => ("groups, objects, materials, normals and ", "; --normals recompute makes new normals"),
+        false => ("", ""),
+    };
     let mut kept = FaceAttributes::default();
     kept.vertex_colors.clone_from(&said.vertex_colors);
     if said != kept {
         note(format_args!(
-            "{}: groups, objects, materials, texture coordinates and normals are lost: {who} does not take them \
-             along; --normals recompute makes new normals",
+            "{}: {others}texture coordinates are lost: {who} does not take them along{hint}",
             arguments.refine.mesh.display()
         ));
     }
@@ -232,6 +242,40 @@ impl<'a> Finished<'a> {
         match &self.with {
             None => save(path, self.mesh),
             Some((faces, said)) => save_with(path, faces, said),
+        }
+    }
+
+    /// Tells what the format of a file that was written does not hold of the mesh.
+    pub(crate) fn tell_of_rounding(&self, path: &Path) {
+        match Format::from_ending(path) {
+            Some(Format::Stl) => {
+                let is_rounded = |position: &&DVec3| position.as_vec3().as_dvec3() != **position;
+                let rounded = self.mesh.positions().iter().filter(is_rounded).count();
+                let isolated = self.mesh.vertices().filter(|&v| self.mesh.ring(v).valence() == 0).count();
+                for (number, what) in [
+                    (rounded, "rounded: STL has single precision"),
+                    (isolated, "without a face left out: STL has corners of triangles only"),
+                ] {
+                    if number > 0 {
+                        note(format_args!("{}: {} {what}", path.display(), count(number, "vertex", "vertices")));
+                    }
+                }
+            }
+            Some(Format::Ply) => {
+                let colors = self.with.as_ref().map_or(&[][..], |(_, said)| &said.vertex_colors);
+                let is_whole = |value: f64| (255.0 * value).round() / 255.0 == value;
+                let is_rounded =
+                    |color: &&Option<[f64; 3]>| !color.is_some_and(|color| color.into_iter().all(is_whole));
+                let rounded = colors.iter().filter(is_rounded).count();
+                if rounded > 0 {
+                    note(format_args!(
+                        "{}: colours of {} rounded to eight bits, or white where there is none",
+                        path.display(),
+                        count(rounded, "vertex", "vertices")
+                    ));
+                }
+            }
+            _ => {}
         }
     }
 }

@@ -63,6 +63,7 @@ pub(crate) fn run(arguments: &LimitArguments) -> Result<Outcome, Failure> {
     let attributes = move_vertices("", &mut mesh, attributes, &limit)?;
     let finished = Finished::new(&mesh, attributes);
     finished.save(&arguments.output)?;
+    finished.tell_of_rounding(&arguments.output);
 
     let report = Report {
         mesh: arguments.mesh.display().to_string(),
@@ -170,10 +171,15 @@ fn refuse_without_meaning(arguments: &LimitArguments) -> Result<(), Failure> {
         }
         _ => {}
     }
-    if arguments.normals && Format::from_ending(&arguments.output) == Some(Format::Off) {
-        return refuse("--normals: OFF has one normal for a vertex, and one at a sharp edge has two; write OBJ");
+    match Format::from_ending(&arguments.output) {
+        Some(format @ (Format::Off | Format::Ply)) if arguments.normals => refuse(format!(
+            "--normals: {format} has one normal for a vertex, and one at a sharp edge has two; write OBJ"
+        )),
+        Some(Format::Stl) if arguments.normals => {
+            refuse("--normals: STL has normals of triangles, and none at their corners; write OBJ")
+        }
+        _ => Ok(()),
     }
-    Ok(())
 }
 
 /// The vertices that have no normal on some side, or no side, which is told.

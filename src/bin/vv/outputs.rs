@@ -39,7 +39,7 @@ pub(crate) fn check(outputs: &[Named<'_>], inputs: &[Named<'_>]) -> Result<(), F
 pub(crate) fn check_mesh(path: &Path) -> Result<(), Failure> {
     match Format::from_ending(path) {
         Some(_) => Ok(()),
-        None => refuse(format!("{OUT}: {}: the name must end in .obj or .off", path.display())),
+        None => refuse(format!("{OUT}: {}: the name must end in .obj, .off, .ply or .stl", path.display())),
     }
 }
 

@@ -68,6 +68,7 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let written = write(arguments, &run, &finished, &report, state);
     bar.hide();
     written?;
+    finished.tell_of_rounding(&arguments.output);
     if arguments.json {
         print(&json(&report)?)?;
     } else {
