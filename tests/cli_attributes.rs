@@ -127,20 +127,49 @@ fn what_is_lost_is_told_once() {
 }
 
 #[test]
-fn what_lies_across_old_faces_is_lost_under_sqrt3_and_that_is_told() {
+fn every_scheme_and_method_keeps_what_is_said() {
     let desk = desk();
-    let call = "subdivide squares.obj -o o.obj --scheme sqrt3 --levels 2 --method";
-    for method in ["uniform", "incremental", "simple"] {
-        let ran = desk.done(&format!("{call} {method}"));
-        assert_eq!(ran.err.matches("normals and texture coordinates are lost").count(), 1, "{}", ran.err);
-        let said = io::read(desk.path("o.obj")).unwrap().attributes;
-        assert!(said.vertex_colors.len() > 6 && said.vertex_colors.iter().all(Option::is_some));
-        assert!(said.texture_coordinates.is_empty() && said.object(0).is_none());
+    for scheme in ["sqrt3", "four-eight"] {
+        for method in ["uniform", "incremental", "simple"] {
+            let ran =
+                desk.done(&format!("subdivide squares.obj -o o.obj --scheme {scheme} --levels 2 --method {method}"));
+            assert!(!ran.err.contains("lost") && !ran.err.contains("across"), "{}", ran.err);
+            let loaded = io::read(desk.path("o.obj")).unwrap();
+            let (faces, said) = (&loaded.faces, &loaded.attributes);
+            assert!(said.vertex_colors.len() > 6 && said.vertex_colors.iter().all(Option::is_some));
+            for face in 0..faces.face_count() {
+                let is_left = said.material(face) == Some("red");
+                assert_eq!(said.groups(face).next(), Some(if is_left { "left" } else { "right" }));
+                for corner in faces.corner_range(face) {
+                    let uv = said.texture_coordinates[said.texture_index(corner).unwrap()];
+                    assert!(if is_left { uv[0] < 0.41 } else { uv[0] > 0.59 }, "{uv:?}");
+                    assert!(said.normal_index(corner).is_some());
+                }
+            }
+        }
     }
-    assert!(!desk.done(&format!("{call} uniform --normals recompute")).err.contains("error"));
-    assert!(!io::read(desk.path("o.obj")).unwrap().attributes.normals.is_empty());
-    desk.vv(&format!("{call} uniform --uv linear")).assert_refused("along; leave it out");
-    desk.done(&format!("{call} simple --colors linear"));
+}
+
+#[test]
+fn what_lies_across_is_told() {
+    let desk = desk();
+    let call = "subdivide squares.obj -o o.obj --scheme sqrt3 --method uniform --levels";
+    for levels in [1, 3] {
+        let ran = desk.done(&format!("{call} {levels}"));
+        // One edge between the squares, or three.
+        for note in [
+            format!("{} triangles lie across seams, without texture coordinates: sqrt3 turns", 2 * levels),
+            format!("{} triangles lie across borders of groups or materials, with the one or the other", 2 * levels),
+        ] {
+            assert_eq!(ran.err.matches(&note).count(), 1, "no `{note}` in {}", ran.err);
+        }
+        let loaded = io::read(desk.path("o.obj")).unwrap();
+        let bare = (0..loaded.faces.face_count())
+            .filter(|&face| loaded.attributes.texture_index(loaded.faces.corner_range(face).start).is_none());
+        assert_eq!(bare.count(), 2 * levels);
+    }
+    assert!(!desk.done(&format!("{call} 2")).err.contains("across"));
+    assert!(!desk.done(&format!("{call} 1 --uv linear")).err.contains("error"));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use glam::DVec4;
 
 use crate::error::ConfigError;
 use crate::id::VertexId;
-use crate::scheme::Mask;
+use crate::scheme::WeightedSum;
 use crate::step::SplitKind;
 use crate::subdivide::{Follower, StepMasks, ValueId, Values};
 
@@ -120,19 +120,19 @@ impl Channel {
         *self.values.get(id.into())
     }
 
-    /// The value of a new vertex with this mask, made of these old ones, the older first.
-    pub(super) fn odd<V: Copy + PartialEq + Into<ValueId>>(
-        &self,
-        mask: &Mask<V>,
-        parents: &[VertexId],
-        kind: SplitKind,
-    ) -> DVec4 {
+    /// What takes a mask and makes the value that it says of the present ones.
+    #[inline]
+    pub(super) fn sum(&self) -> WeightedSum<DVec4, impl Fn(VertexId) -> DVec4> {
+        WeightedSum::new(|v: VertexId| self.values.shown()[v.index()])
+    }
+
+    /// The value of a new vertex made of these old ones, the older first, where it does not follow the scheme.
+    pub(super) fn without_mask(&self, parents: &[VertexId], kind: SplitKind) -> DVec4 {
         match (self.blend, parents) {
-            (Blend::Scheme, _) => mask.apply(|v| self.at(v)),
             (Blend::Nearest, _) => self.at(parents[0]),
             // A trisection splits boundary edges in three.
-            (Blend::Linear, &[near, far]) if kind == SplitKind::Trisect => (2.0 * self.at(near) + self.at(far)) / 3.0,
-            (Blend::Linear, _) => parents.iter().map(|&v| self.at(v)).sum::<DVec4>() / parents.len() as f64,
+            (_, &[near, far]) if kind == SplitKind::Trisect => (2.0 * self.at(near) + self.at(far)) / 3.0,
+            _ => parents.iter().map(|&v| self.at(v)).sum::<DVec4>() / parents.len() as f64,
         }
     }
 
@@ -140,18 +140,12 @@ impl Channel {
     pub(super) fn move_by(
         &mut self,
         vertices: impl Iterator<Item = VertexId>,
-        mut write: impl FnMut(VertexId, &mut Mask),
+        value: impl Fn(&Self, VertexId) -> Option<DVec4>,
     ) {
         if self.blend != Blend::Scheme {
             return;
         }
-        let mut mask = Mask::default();
-        let mut moved = Vec::new();
-        for v in vertices {
-            mask.clear();
-            write(v, &mut mask);
-            moved.push((v, mask.apply(|w| self.at(w))));
-        }
+        let moved: Vec<_> = vertices.filter_map(|v| Some((v, value(self, v)?))).collect();
         moved.into_iter().for_each(|(v, value)| self.set(v, value));
     }
 

@@ -12,9 +12,12 @@
 //! the scheme, and both sides stay over the same vertices: no seam is torn. A channel without seams has the bits of a
 //! vertex channel.
 //!
-//! A face of the refined mesh lies in one face of the input, whose label it keeps. Under √3 it does not: an edge that is
-//! turned crosses the old one, also where that is a seam. So corner channels and labels ride along with the split in four
-//! only, and a step of another kind refuses them; vertex channels ride along with every scheme and method.
+//! A face of the refined mesh lies in one face of the input, whose label it keeps. Under √3 this holds after every second
+//! step, when nine faces lie in one. In between an edge is turned and crosses the old one, and each of the two faces
+//! beside it lies half in one old face and half in the next. Such a face has the label of a half, so that each old face
+//! has three of the new ones; and where the old edge is a seam it has no values, as no chart has a face that crosses its
+//! boundary. The charts are refined all the same, by the boundary rule of √3, and with the next step its faces have
+//! values again. [`Attributes::faces_across_seams`] and [`Attributes::faces_across_labels`] count what lies across.
 //!
 //! Read in this order: [`Channel`], [`Blend`], [`Attributes`], [`ObjAttributes`] (the same for what an OBJ file says).
 //!
@@ -29,9 +32,9 @@ mod obj;
 
 pub use channel::{Blend, Channel};
 pub use normals::NormalRule;
-pub use obj::{LeftOut, ObjAttributes, ObjRules};
+pub use obj::{Across, LeftOut, ObjAttributes, ObjRules};
 
-use chart::Chart;
+use chart::{Chart, Done};
 use glam::DVec4;
 use labels::{Ancestry, FaceLabels};
 use smallvec::SmallVec;
@@ -52,7 +55,8 @@ pub enum Seams {
     /// The boundary rule of the scheme, for each side by itself.
     #[default]
     Scheme,
-    /// Values on a boundary stay and new ones lie half way between them: charts keep their outline.
+    /// Values on a boundary stay and new ones lie between them on a straight line: charts keep their outline. (By √3 with
+    /// the method *simple* values off the boundary are nevertheless those of [`Seams::Scheme`].)
     Linear,
 }
 
@@ -96,8 +100,9 @@ pub struct Attributes {
 #[derive(Clone, Debug)]
 pub struct CornerChannel {
     values: Channel,
-    seams: Seams,
     chart: Chart,
+    /// 1 for the faces with values, 0 for others, if there are others.
+    has_values: Option<FaceLabels>,
 }
 
 impl CornerChannel {
@@ -120,7 +125,7 @@ impl CornerChannel {
     /// [`CornerChannel::values`] has the values; `None` for one without.
     pub fn faces<'a>(&'a self, mesh: &'a Mesh) -> impl Iterator<Item = Option<[u32; 3]>> + 'a {
         mesh.triangles().map(|triangle| {
-            let face = self.chart.face_over(mesh, triangle.corners());
+            let face = self.chart.face_over(triangle.corners());
             face.map(|corners| corners.map(|v| v.index() as u32))
         })
     }
@@ -167,8 +172,12 @@ impl Attributes {
             let expected = format!("less than {}, the number of values", channel.len());
             return Err(ConfigError { name: "value at a corner", value: value.to_string(), expected });
         }
-        let (chart, value_of) = Chart::new(mesh, history, corners);
-        self.corner.push(CornerChannel { values: channel.gathered(&value_of), seams, chart });
+        let (chart, value_of) = Chart::new(mesh, history, corners, seams);
+        let has_values = corners.contains(&None).then(|| {
+            let labels: Vec<u32> = corners.iter().map(|values| u32::from(values.is_some())).collect();
+            self.labels_of(mesh, String::new(), &labels)
+        });
+        self.corner.push(CornerChannel { values: channel.gathered(&value_of), chart, has_values });
         Ok(())
     }
 
@@ -178,9 +187,14 @@ impl Attributes {
     /// If there are not as many labels as triangles.
     pub fn add_face_labels(&mut self, mesh: &Mesh, name: impl Into<String>, labels: &[u32]) -> Result<(), ConfigError> {
         require("labels of faces", labels.len(), mesh.face_count())?;
-        self.labels.push(FaceLabels::new(name.into(), mesh, labels));
-        self.ancestry.get_or_insert_with(|| Ancestry::new(mesh));
+        let labels = self.labels_of(mesh, name.into(), labels);
+        self.labels.push(labels);
         Ok(())
+    }
+
+    fn labels_of(&mut self, mesh: &Mesh, name: String, labels: &[u32]) -> FaceLabels {
+        self.ancestry.get_or_insert_with(|| Ancestry::new(mesh));
+        FaceLabels::new(name, mesh, labels)
     }
 
     /// The vertex channel with a name; value `k` is that of vertex `k`.
@@ -195,6 +209,36 @@ impl Attributes {
         self.corner.iter().find(|channel| channel.values.name() == name)
     }
 
+    /// How many triangles have no values of a corner channel although they lie where there are some: those across a seam,
+    /// after steps of √3. No chart has a triangle there, as it would have to be cut; the next step of the whole mesh
+    /// makes it so. `None` if there is no such channel. O(faces · steps), but O(1) if no step was one of √3.
+    #[must_use]
+    pub fn faces_across_seams(&self, name: &str, mesh: &Mesh) -> Option<usize> {
+        let channel = self.corner_channel(name)?;
+        if !channel.chart.is_trisected() {
+            return Some(0);
+        }
+        let has_values = |triangle| match (&channel.has_values, &self.ancestry) {
+            (Some(labels), Some(ancestry)) => labels.of_halves(triangle, ancestry) != [0, 0],
+            _ => true,
+        };
+        let without = mesh.triangles().zip(channel.faces(mesh)).filter(|(_, face)| face.is_none());
+        Some(without.filter(|&(triangle, _)| has_values(triangle)).count())
+    }
+
+    /// How many triangles lie half in one label of this name and half in another, after steps of √3. `None` if there are
+    /// no such labels. O(faces · steps), but O(1) if no step was one of √3.
+    #[must_use]
+    pub fn faces_across_labels(&self, name: &str, mesh: &Mesh) -> Option<usize> {
+        let labels = self.labels.iter().find(|labels| labels.name() == name)?;
+        let ancestry = self.ancestry.as_ref()?;
+        if !ancestry.is_trisected() {
+            return Some(0);
+        }
+        let halves = mesh.triangles().map(|triangle| labels.of_halves(triangle, ancestry));
+        Some(halves.filter(|[one, other]| one != other).count())
+    }
+
     /// The labels with a name, one for each triangle in the order of the mesh. O(faces · steps).
     #[must_use]
     pub fn face_labels(&self, name: &str, mesh: &Mesh) -> Option<Vec<u32>> {
@@ -207,16 +251,18 @@ impl Attributes {
     /// change, nothing else.
     ///
     /// # Errors
-    /// Those of [`Subdivider::step`] (among them [`RefineError::JoinedLate`] for a vertex channel that follows the scheme and was
-    /// added too late), and [`RefineError::Unfollowed`] for labels of faces and corner channels if the
-    /// scheme does not split triangles in four. The attributes are then as before, like the mesh.
+    /// Those of [`Subdivider::step`], among them [`RefineError::JoinedLate`] for a channel that follows the scheme and was
+    /// added too late; and [`RefineError::Unfollowed`] for labels of faces and corner channels under red-green refinement,
+    /// which takes faces back. The attributes are then as before, like the mesh.
     ///
     /// # Panics
     /// If the mesh is not the one that the attributes were added to, or was edited between steps; if a chart mesh would
     /// need more vertices than 32-bit ids name.
     ///
     /// # Complexity
-    /// O(region), as the step itself, and O(sharp edges of the mesh) for each corner channel.
+    /// O(region), as the step itself. For each corner channel also O(sharp edges of the mesh) if some were tagged since
+    /// the last step or that was by a scheme which does not read tags; and under √3 O(what waits for the next step at
+    /// seams where regions end).
     pub fn step(
         &mut self,
         subdivider: &Subdivider,
@@ -229,17 +275,18 @@ impl Attributes {
         if self.is_empty() {
             return subdivider.step(mesh, history, selection, scratch, control);
         }
-        let kind = subdivider.scheme().split_kind();
-        let nothing_on_faces = self.corner.is_empty() && self.labels.is_empty();
-        if kind != SplitKind::Quadrisect && !nothing_on_faces {
-            return Err(RefineError::Unfollowed { asked: kind.name() });
-        }
-        if subdivider.takes_back() && !nothing_on_faces {
+        if subdivider.takes_back() && !(self.corner.is_empty() && self.labels.is_empty()) {
             return Err(RefineError::Unfollowed { asked: "red-green refinement" });
         }
-        self.corner.iter_mut().for_each(|channel| channel.chart.take_tags(mesh));
-        let splits = Splits { some_stay: subdivider.is_mobile(), ..Splits::default() };
-        let mut watch = Watch { channels: &mut self.vertex, splits, kind, also: control.follower.take() };
+        if self.corner.iter().any(|CornerChannel { values, chart, .. }| chart.joined_late(values)) {
+            return Err(RefineError::JoinedLate);
+        }
+        let kind = subdivider.scheme().split_kind();
+        if subdivider.scheme().reads_tags() {
+            self.corner.iter_mut().for_each(|channel| channel.chart.take_tags(mesh));
+        }
+        let mut watch = Watch { also: control.follower.take(), ..Watch::new(&mut self.vertex, kind) };
+        watch.splits.some_stay = subdivider.is_mobile();
         let mut watched = Control {
             max_faces: control.max_faces,
             progress: control.progress.as_mut().map(|progress| &mut **progress as _),
@@ -249,11 +296,12 @@ impl Attributes {
         let Watch { splits, also, .. } = watch;
         control.follower = also;
         let step = step?;
-        for CornerChannel { values, seams, chart } in &mut self.corner {
-            chart.follow(&splits, mesh, subdivider.scheme(), values, *seams, scratch);
+        let done = Done { subdivider, splits: &splits, mesh, history };
+        for CornerChannel { values, chart, .. } in &mut self.corner {
+            chart.follow(&done, values, scratch);
         }
         if let Some(ancestry) = &mut self.ancestry {
-            ancestry.record(&splits.parents);
+            ancestry.record(&splits, kind, history);
         }
         Ok(step)
     }
@@ -267,11 +315,15 @@ impl Attributes {
     pub fn move_to_limit(&mut self, mesh: &Mesh, limit: &impl Limit) {
         let around = mesh.neighborhood();
         for channel in &mut self.vertex {
-            channel.move_by(mesh.vertices(), |v, mask| limit.mask(around, v, mask));
+            channel.move_by(mesh.vertices(), |channel, v| {
+                let mut sum = channel.sum();
+                limit.mask(around, v, &mut sum);
+                sum.total()
+            });
         }
-        for CornerChannel { values, seams, chart } in &mut self.corner {
+        for CornerChannel { values, chart, .. } in &mut self.corner {
             chart.take_tags(mesh);
-            chart.move_to_limit(limit, values, *seams);
+            chart.move_to_limit(limit, values);
         }
     }
 }
@@ -288,9 +340,9 @@ fn require(name: &'static str, given: usize, needed: usize) -> Result<(), Config
 struct Splits {
     /// How many vertices there were before it.
     first: usize,
-    /// The ends of the edges on which new vertices were made, the older first, in the order of those.
-    parents: Vec<[VertexId; 2]>,
-    /// The old vertices that were moved, ascending.
+    /// What new vertices were made of, in the order of those.
+    parents: Vec<[VertexId; 3]>,
+    /// The old vertices that were moved, ascending if the step has one pass.
     moved: Vec<VertexId>,
     /// Whether new vertices between two that were not moved are midpoints.
     some_stay: bool,
@@ -302,8 +354,14 @@ impl Splits {
         !self.some_stay || ends.iter().any(|end| self.moved.binary_search(end).is_ok())
     }
 
-    /// The new vertices with the ends of their edges.
-    fn made(&self) -> impl Iterator<Item = (VertexId, [VertexId; 2])> {
+    /// How many new vertices there are.
+    fn len(&self) -> usize {
+        self.parents.len()
+    }
+
+    /// The new vertices with what they were made of: the corners of a triangle, counter-clockwise; or the ends of an
+    /// edge, the last one twice.
+    fn made(&self) -> impl Iterator<Item = (VertexId, [VertexId; 3])> {
         (self.first..).map(VertexId::new).zip(self.parents.iter().copied())
     }
 }
@@ -313,8 +371,35 @@ struct Watch<'a, 'f> {
     channels: &'a mut [Channel],
     splits: Splits,
     kind: SplitKind,
+    /// Which old vertices keep their values; of those behind its end none.
+    is_fixed: &'a [bool],
+    /// What becomes of new values on a boundary.
+    seams: Seams,
     /// Who else follows.
     also: Option<&'f mut dyn Follower>,
+}
+
+impl<'a> Watch<'a, '_> {
+    /// A step of a mesh.
+    fn new(channels: &'a mut [Channel], kind: SplitKind) -> Self {
+        let splits = Splits::default();
+        Self { channels, splits, kind, is_fixed: &[], seams: Seams::Scheme, also: None }
+    }
+
+    /// A step of a chart mesh.
+    fn over(values: &'a mut Channel, kind: SplitKind, is_fixed: &'a [bool], seams: Seams) -> Self {
+        Self { is_fixed, seams, ..Self::new(std::slice::from_mut(values), kind) }
+    }
+
+    /// The value of a new vertex.
+    fn odd(&self, channel: &Channel, mask: &Mask<ValueId>, parents: &[VertexId]) -> DVec4 {
+        // The mask of 4-8 on a boundary is linear itself.
+        let is_third = self.kind == SplitKind::Trisect && parents.len() == 2;
+        match channel.blend() {
+            Blend::Scheme if !(is_third && self.seams == Seams::Linear) => mask.apply(|id| channel.at(id)),
+            _ => channel.without_mask(parents, self.kind),
+        }
+    }
 }
 
 impl Follower for Watch<'_, '_> {
@@ -322,9 +407,15 @@ impl Follower for Watch<'_, '_> {
         if let Some(other) = &mut self.also {
             other.follow(step);
         }
-        self.splits.first = step.vertex_count_before();
+        let (before, after) = (step.vertex_count_before(), step.vertex_count_after());
+        self.splits.first = before;
+        self.splits.parents.resize(after - before, [VertexId::new(0); 3]);
         self.channels.iter_mut().for_each(|channel| channel.grow(step));
-        step.replay(self, |watch, Assignment { id, parents, .. }, mask| watch.make(id, parents, mask), Watch::put);
+        if self.channels.is_empty() {
+            step.for_each_name(|id, parents| self.note(id, parents));
+        } else {
+            step.replay(self, |watch, Assignment { id, parents, .. }, mask| watch.make(id, parents, mask), Watch::put);
+        }
     }
 
     fn has_kept(&self) -> bool {
@@ -337,18 +428,25 @@ impl Follower for Watch<'_, '_> {
 type Made = SmallVec<[Option<DVec4>; 2]>;
 
 impl Watch<'_, '_> {
+    /// Notes what was split and what moved.
+    fn note(&mut self, id: ValueId, parents: &[VertexId]) {
+        let ValueId::Shown(v) = id else { return };
+        if let [first, second, ..] = *parents {
+            self.splits.parents[v.index() - self.splits.first] = [first, second, parents[parents.len() - 1]];
+        } else if v.index() < self.splits.first {
+            self.splits.moved.push(v);
+        }
+    }
+
     fn make(&mut self, id: ValueId, parents: &[VertexId], mask: &Mask<ValueId>) -> Made {
+        self.note(id, parents);
         if !parents.is_empty() {
-            // Where it is asked for, there are two.
-            self.splits.parents.extend(<[VertexId; 2]>::try_from(parents));
-            return self.channels.iter().map(|channel| Some(channel.odd(mask, parents, self.kind))).collect();
+            return self.channels.iter().map(|channel| Some(self.odd(channel, mask, parents))).collect();
         }
-        match id {
-            ValueId::Shown(v) if v.index() < self.splits.first => self.splits.moved.push(v),
-            _ => {}
-        }
-        let blend = |channel: &Channel| (channel.blend() == Blend::Scheme).then(|| mask.apply(|id| channel.at(id)));
-        self.channels.iter().map(blend).collect()
+        let (ValueId::Shown(v) | ValueId::Kept(v, _)) = id;
+        let is_fixed = self.is_fixed.get(v.index()).is_some_and(|&is_fixed| is_fixed);
+        let moves = |channel: &Channel| channel.blend() == Blend::Scheme && !(is_fixed && id == ValueId::Shown(v));
+        self.channels.iter().map(|channel| moves(channel).then(|| mask.apply(|id| channel.at(id)))).collect()
     }
 
     fn put(&mut self, id: ValueId, made: Option<Made>) {

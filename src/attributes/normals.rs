@@ -45,7 +45,7 @@ impl CornerNormals {
         let mut normals = Self::default();
         let number_of: Vec<_> = lifted.vertices().map(|v| normals.push(vertex_normal(&lifted, v, weight))).collect();
         for &face in faces {
-            match chart.face_over(mesh, face) {
+            match chart.face_over(face) {
                 Some(over) => normals.corners.extend(over.map(|v| number_of[v.index()])),
                 None => normals.corners.extend([None; 3]),
             }
@@ -72,6 +72,11 @@ impl SideNormals {
     /// Those of the limit of a mesh.
     pub(super) fn new(mesh: &Mesh, limit: AnyLimit) -> Self {
         Self { limit, normals: limit.normals(mesh) }
+    }
+
+    /// Those of the vertices.
+    pub(super) fn normals(&self) -> &Normals {
+        &self.normals
     }
 
     /// Those at the corners of faces.

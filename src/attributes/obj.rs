@@ -7,7 +7,7 @@ use super::{Attributes, Blend, Channel, NormalRule, Seams};
 use crate::error::{ConfigError, RefineError};
 use crate::id::VertexId;
 use crate::io::{FaceAttributes, NO_INDEX};
-use crate::limit::Limit;
+use crate::limit::{Limit, Normals};
 use crate::mesh::Mesh;
 use crate::scratch::Scratch;
 use crate::select::Selection;
@@ -90,6 +90,18 @@ pub struct LeftOut {
     pub uncolored: usize,
 }
 
+/// The triangles of a mesh that lie across what they should keep apart: steps of √3 turn edges of seams, hard edges and
+/// borders of groups too, and turn them back with the next step.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Across {
+    /// Across seams: they have no texture coordinates.
+    pub seams: usize,
+    /// Across hard edges: they have no normals.
+    pub hard_edges: usize,
+    /// Half in one section of the file, half in another: they are with one of them.
+    pub sections: usize,
+}
+
 impl ObjAttributes {
     /// What is said of the triangles of a list, of which the mesh was made.
     ///
@@ -158,6 +170,23 @@ impl ObjAttributes {
             unused_texture: is_used.iter().filter(|&&is_used| !is_used).count(),
             uncolored: self.said.vertex_colors.iter().filter(|color| color.is_none()).count(),
         }
+    }
+
+    /// The triangles that lie across what they should keep apart. O(faces · steps).
+    #[must_use]
+    pub fn across(&self, mesh: &Mesh) -> Across {
+        let attributes = &self.attributes;
+        Across {
+            seams: attributes.faces_across_seams(TEXTURE, mesh).unwrap_or(0),
+            hard_edges: attributes.faces_across_seams(NORMAL, mesh).unwrap_or(0),
+            sections: attributes.faces_across_labels(SECTION, mesh).unwrap_or(0),
+        }
+    }
+
+    /// The normals that [`NormalRule::Limit`] asks for, once [`ObjAttributes::move_to_limit`] has computed them.
+    #[must_use]
+    pub fn limit_normals(&self) -> Option<&Normals> {
+        self.sides.as_ref().map(SideNormals::normals)
     }
 
     /// Whether normals of the file give way to others as soon as the mesh changes.

@@ -25,6 +25,8 @@ pub struct Tags {
     semi_sharp_edges: BTreeMap<Edge, Sharpness>,
     semi_sharp_vertices: BTreeMap<VertexId, Sharpness>,
     rule: SharpnessRule,
+    /// How often something was tagged, steps apart.
+    edits: u64,
 }
 
 #[derive(Clone, Debug)]
@@ -130,11 +132,23 @@ impl Tags {
         vertices
     }
 
+    /// No tags at all, with the same rule.
+    pub(crate) fn none(&self) -> Self {
+        Self { rule: self.rule, ..Self::default() }
+    }
+
+    /// A number that grows whenever something is tagged or loses its tag, but not by a step.
+    pub(crate) fn edits(&self) -> u64 {
+        self.edits
+    }
+
     pub(crate) fn set_rule(&mut self, rule: SharpnessRule) {
+        self.edits += 1;
         self.rule = rule;
     }
 
     pub(crate) fn set_sharpness(&mut self, edge: Edge, sharpness: Sharpness) {
+        self.edits += 1;
         let [a, b] = edge.ends();
         for (v, w) in [(a, b), (b, a)] {
             self.update(v, |entry| match entry.sharp.iter().position(|&other| other == w) {
@@ -149,6 +163,7 @@ impl Tags {
     }
 
     pub(crate) fn set_vertex_sharpness(&mut self, v: VertexId, sharpness: Sharpness) {
+        self.edits += 1;
         self.update(v, |entry| entry.itself = sharpness.is_sharp());
         keep_if_semi_sharp(&mut self.semi_sharp_vertices, v, sharpness);
     }
@@ -181,6 +196,7 @@ impl Tags {
         split: impl Iterator<Item = (VertexId, Edge)> + Clone,
         moved: impl Iterator<Item = VertexId>,
     ) {
+        let edits = self.edits;
         // All is read before anything is written.
         let (mut halves, mut vertices) = (Vec::new(), Vec::new());
         if self.has_semi_sharp() {
@@ -202,6 +218,7 @@ impl Tags {
         for (v, sharpness) in vertices {
             self.set_vertex_sharpness(v, sharpness);
         }
+        self.edits = edits;
     }
 
     /// Hands all tags of `remove` to `keep`, after the edge between them was drawn together. Of two edges, or vertices, that
@@ -244,6 +261,7 @@ impl Tags {
             semi_sharp_edges: self.semi_sharp_edges.iter().map(rename_edge).collect(),
             semi_sharp_vertices: self.semi_sharp_vertices.iter().map(|(&v, &sharpness)| (name(v), sharpness)).collect(),
             rule: self.rule,
+            edits: self.edits,
         }
     }
 

@@ -92,6 +92,18 @@ impl Side {
     }
 }
 
+/// What is split in a mesh that lies over another: where it has what the other one splits. Seeds ascend in the order in
+/// which what they make is numbered.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) struct Seed {
+    /// The smaller end of an edge, or the smallest corner of a triangle that is split at its centre.
+    pub(crate) v: VertexId,
+    /// The slot of the edge, or the one that the triangle is behind.
+    pub(crate) slot: usize,
+    /// Whether it is the triangle.
+    pub(crate) is_face: bool,
+}
+
 /// The memory of a plan, kept from step to step.
 #[derive(Default)]
 pub(crate) struct Lists {
@@ -128,30 +140,60 @@ impl<'a> Plan<'a> {
         region: &Region,
         scratch: &'a mut Scratch,
     ) -> Result<Self, RefineError> {
-        let count = rotation.vertex_count();
-        let vertices = region.vertices(count);
-        let mut plan = Self {
-            rotation,
-            generations,
-            lists: scratch.take::<Lists>(),
-            marks: scratch.marks(count, u32::try_from(count).unwrap_or(u32::MAX).max(1)),
-            hubs: Hubs::among(rotation, vertices.iter().copied()),
-            region: vertices.len(),
-            added_faces: 0,
-            is_too_deep: false,
-        };
+        let vertices = region.vertices(rotation.vertex_count());
+        let hubs = Hubs::among(rotation, vertices.iter().copied());
+        let mut plan = Self { region: vertices.len(), ..Self::empty(rotation, generations, hubs, scratch) };
         for &v in &*vertices {
             plan.touch(v);
         }
         plan.split_inside(region);
-        while let Some((v, slot)) = plan.lists.due.pop() {
-            plan.split(v, slot);
+        plan.close()
+    }
+
+    /// Plans to split what lies over what is split in a mesh below. There the rules hold already, so nothing is added to
+    /// it. O(triangles that are split and the rings of their corners).
+    pub(crate) fn over(
+        rotation: &'a RotationSystem,
+        generations: Generations<'a>,
+        seeds: impl Iterator<Item = Seed> + Clone,
+        scratch: &'a mut Scratch,
+    ) -> Result<Self, RefineError> {
+        let hubs = Hubs::among(rotation, seeds.clone().map(|seed| seed.v));
+        let mut plan = Self::empty(rotation, generations, hubs, scratch);
+        for Seed { v, slot, is_face } in seeds {
+            if is_face {
+                plan.split(v, slot);
+            } else {
+                plan.split_exactly(v, slot);
+            }
         }
-        if plan.is_too_deep {
+        plan.close()
+    }
+
+    fn empty(rotation: &'a RotationSystem, generations: Generations<'a>, hubs: Hubs, scratch: &'a mut Scratch) -> Self {
+        let count = rotation.vertex_count();
+        Self {
+            rotation,
+            generations,
+            lists: scratch.take::<Lists>(),
+            marks: scratch.marks(count, u32::try_from(count).unwrap_or(u32::MAX).max(1)),
+            hubs,
+            region: 0,
+            added_faces: 0,
+            is_too_deep: false,
+        }
+    }
+
+    /// Adds what the rules ask for, and numbers the new vertices.
+    fn close(mut self) -> Result<Self, RefineError> {
+        while let Some((v, slot)) = self.lists.due.pop() {
+            self.split(v, slot);
+        }
+        if self.is_too_deep {
             return Err(RefineError::TooDeep);
         }
-        plan.number();
-        Ok(plan)
+        self.number();
+        Ok(self)
     }
 
     /// The lists, to be used again.
@@ -297,6 +339,17 @@ impl<'a> Plan<'a> {
             Some(apex) => self.split_edge(corners[(apex + 1) % 3], corners[(apex + 2) % 3], generation),
             None => self.split_at_center(corners),
         }
+    }
+
+    /// Splits the edge at a slot: the refinement edge of a triangle beside it, or of a half of that one.
+    fn split_exactly(&mut self, v: VertexId, slot: usize) {
+        let ring = self.rotation.ring(v);
+        let w = ring.neighbors()[slot];
+        let [behind, ahead] = ring.corners_at(slot);
+        let corner = behind.or(ahead).expect("an edge has a triangle");
+        let is_half = self.generations.apex([v, w, corner]) != Some(2);
+        let generation = self.generations.of([v, w, corner]).saturating_add(u8::from(is_half));
+        self.split_edge(v, w, generation);
     }
 
     /// Notes a new vertex, and answers in which order it was met.

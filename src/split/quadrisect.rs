@@ -111,6 +111,30 @@ pub(crate) fn plan(
     }
 }
 
+/// Reads what is to be split as [`plan`] does, but edges of a list, each given by one end and a slot of its ring; new
+/// vertices come in the order of the list. O(edges).
+pub(crate) fn plan_listed(
+    plan: &mut Plan,
+    rotation: &RotationSystem,
+    history: &History,
+    edges: impl Iterator<Item = (VertexId, usize)> + Clone,
+) {
+    plan.first = rotation.vertex_count();
+    plan.edges.clear();
+    plan.added_faces = 0;
+    plan.hubs = Hubs::among(rotation, edges.clone().flat_map(|(v, slot)| [v, rotation.neighbors(v)[slot]]));
+    let mut planner = Planner { rotation, history, peers: Peers::of(history, VertexId::new(0)), plan };
+    for (v, slot) in edges {
+        let w = rotation.neighbors(v)[slot];
+        if v < w {
+            planner.split(v, slot);
+        } else {
+            let slot = planner.slot(w, v);
+            planner.split(w, slot);
+        }
+    }
+}
+
 struct Planner<'a> {
     rotation: &'a RotationSystem,
     history: &'a History,

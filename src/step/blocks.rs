@@ -41,6 +41,11 @@ impl InputBlocks {
         self.edges.binary_search(&edge).is_ok()
     }
 
+    /// All of them, ascending.
+    pub(crate) fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
     /// How many triangles are in no block.
     pub(crate) fn unmatched(&self) -> usize {
         self.unmatched

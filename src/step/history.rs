@@ -125,20 +125,21 @@ impl History {
         }
     }
 
-    /// The history of a mesh that lies over this one and is split where it is. Of the vertices of this mesh with numbers
-    /// below a bound, `count_below` tells how many vertices lie over them; those have the first numbers. Nothing more is
-    /// kept.
-    pub(crate) fn lifted(&self, count_below: impl Fn(usize) -> usize) -> Self {
-        let starts = self.starts.iter().map(|&start| count_below(start)).collect();
+    /// The history of a mesh that lies over this one and is split where it is. `below` has the vertex below each of its
+    /// vertices, ascending. Names, certificates and bisections are not kept.
+    pub(crate) fn lifted(&self, below: &[VertexId]) -> Self {
+        let starts: Vec<usize> =
+            self.starts.iter().map(|&start| below.partition_point(|v| v.index() < start)).collect();
+        let made = below[starts[0]..].iter();
         Self {
-            starts,
             max_valence: self.max_valence,
             whole: self.whole,
             kind: self.kind,
-            levels: None,
+            levels: self.levels.as_ref().map(|_| made.map(|&v| self.level(v).unwrap_or(0)).collect()),
+            starts,
             names: None,
             exactness: None,
-            motions: None,
+            motions: self.motions.as_ref().map(|motions| motions.lifted(below)),
             bisections: None,
             mobility: None,
             red_green: None,

@@ -86,6 +86,12 @@ impl Motions {
         self.motions.push(motion);
     }
 
+    /// Those of vertices that lie over these.
+    pub(crate) fn lifted(&self, below: &[VertexId]) -> Self {
+        let (points, motions) = below.iter().map(|v| (self.points[v.index()], self.motions[v.index()])).unzip();
+        Self { points, motions }
+    }
+
     pub(crate) fn truncate(&mut self, vertex_count: usize) {
         self.points.truncate(vertex_count);
         self.motions.truncate(vertex_count);

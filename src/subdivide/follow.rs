@@ -88,7 +88,18 @@ impl StepMasks<'_> {
 
     /// Shows the masks pass by pass, in each the vertices in ascending order. They are computed anew each time. O(region).
     pub fn for_each(&self, mut take: impl FnMut(Assignment<'_>)) {
-        (self.write)(&mut MaskWriter { mask: Mask::default(), pass: 0, take: &mut take });
+        (self.write)(&mut MaskWriter { mask: Mask::default(), are_masks_read: true, pass: 0, take: &mut take });
+    }
+
+    /// Shows which values get masks, and of new vertices what they were made of, as [`StepMasks::for_each`] does; but no
+    /// mask is computed, which takes most of the time.
+    pub fn for_each_name(&self, mut take: impl FnMut(ValueId, &[VertexId])) {
+        let take = &mut |Assignment { id, parents, mask, .. }: Assignment<'_>| {
+            if mask.is_some() {
+                take(id, parents);
+            }
+        };
+        (self.write)(&mut MaskWriter { mask: Mask::default(), are_masks_read: false, pass: 0, take });
     }
 
     /// Does in a store of values what the masks say: `make` answers a new value from those in the store, `put` puts it
@@ -129,6 +140,8 @@ impl fmt::Debug for StepMasks<'_> {
 /// Where a step of any kind writes its masks.
 pub(super) struct MaskWriter<'a> {
     mask: Mask<ValueId>,
+    /// If not, what is shown has empty ones.
+    are_masks_read: bool,
     pass: usize,
     take: &'a mut dyn FnMut(Assignment<'_>),
 }
@@ -157,8 +170,10 @@ impl MaskWriter<'_> {
 
     /// Shows the mask of any value.
     pub(super) fn assign_value(&mut self, id: ValueId, parents: &[VertexId], write: impl FnOnce(&mut Mask<ValueId>)) {
-        self.mask.clear();
-        write(&mut self.mask);
+        if self.are_masks_read {
+            self.mask.clear();
+            write(&mut self.mask);
+        }
         (self.take)(Assignment { id, parents, pass: self.pass, mask: Some(&self.mask) });
     }
 

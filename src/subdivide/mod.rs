@@ -17,6 +17,7 @@ mod bisect;
 mod follow;
 mod hierarchy;
 mod mobile;
+mod over;
 mod positions;
 mod quadrisect;
 mod red_green;

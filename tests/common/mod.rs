@@ -6,6 +6,7 @@
 pub mod desk;
 pub mod load;
 pub mod random;
+pub mod ride;
 pub mod run;
 pub mod step_model;
 

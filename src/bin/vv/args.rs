@@ -131,6 +131,7 @@ pub(crate) struct SelectArguments {
 
 From OBJ to OBJ texture coordinates, colours, normals, groups, objects and materials are kept; PLY
 has texture coordinates and colours in eight bits, STL nothing but corners in single precision.
+With an odd number of levels of sqrt3 triangles across seams have no texture coordinates, which is told.
 Files are written whole or not at all, and none before the last level is made."))]
 pub(crate) struct SubdivideArguments {
     /// Where to write the refined mesh; the ending .obj, .off, .ply or .stl tells the format

@@ -2,18 +2,16 @@
 
 use std::path::Path;
 
-use vvmesh::attributes::{Blend, LeftOut, NormalRule, ObjAttributes, ObjRules, Seams};
+use vvmesh::attributes::{Across, Blend, LeftOut, NormalRule, ObjAttributes, ObjRules, Seams};
 use vvmesh::error::WriteError;
 use vvmesh::glam::DVec3;
 use vvmesh::io::{FaceAttributes, Format, save, save_with};
 use vvmesh::limit::LoopLimit;
 use vvmesh::soup::FaceList;
-use vvmesh::step::SplitKind;
 use vvmesh::{Mesh, Triangle, VertexId};
 
 use crate::args::{ColorsName, MethodName, NormalsName, SchemeName, SubdivideArguments, TextureName, loop_weights};
 use crate::console::{Failure, note, refuse};
-use crate::refine;
 use crate::run::Run;
 use crate::table::count;
 
@@ -103,10 +101,9 @@ pub(crate) fn to_take_along(
     if let Some((option, _, what)) = missing.iter().find(|(_, is_missing, _)| *is_missing) {
         return refuse(format!("{option} has no meaning with {path}: it has no {what}; leave it out"));
     }
-    let faces_ride_along = refine::scheme(&arguments.refine).split_kind() == SplitKind::Quadrisect
-        && !arguments.refine.method.takes_back();
+    let takes_faces_back = arguments.refine.method.takes_back();
     Ok(match said {
-        Some((triangles, said)) if !faces_ride_along && arguments.refine.levels() > 0 => {
+        Some((triangles, said)) if takes_faces_back && arguments.refine.levels() > 0 => {
             Some((triangles, without_faces(arguments, said)?))
         }
         None if arguments.normals.is_some() => Some((mesh.to_face_list(), nothing)),
@@ -114,13 +111,12 @@ pub(crate) fn to_take_along(
     })
 }
 
-/// What rides along where faces do not lie in those of the step before, for the scheme or the method: colours.
+/// What rides along with a method that takes faces back: colours.
 fn without_faces(arguments: &SubdivideArguments, said: FaceAttributes) -> Result<FaceAttributes, Failure> {
-    let (scheme, method) = (arguments.refine.scheme, arguments.refine.method);
-    let who = if method.takes_back() { format!("--method {method}") } else { format!("--scheme {scheme}") };
+    let method = arguments.refine.method;
     if arguments.uv.is_some() {
         return refuse(format!(
-            "--uv has no meaning with {who}: it does not take texture coordinates along; leave it out"
+            "--uv has no meaning with --method {method}: it does not take texture coordinates along; leave it out"
         ));
     }
     let is_obj = Format::from_ending(&arguments.output) == Some(Format::Obj);
@@ -132,7 +128,7 @@ fn without_faces(arguments: &SubdivideArguments, said: FaceAttributes) -> Result
     kept.vertex_colors.clone_from(&said.vertex_colors);
     if said != kept {
         note(format_args!(
-            "{}: {others}texture coordinates are lost: {who} does not take them along{hint}",
+            "{}: {others}texture coordinates are lost: --method {method} does not take them along{hint}",
             arguments.refine.mesh.display()
         ));
     }
@@ -201,6 +197,24 @@ pub(crate) fn tell_of_changes(path: &Path, attributes: &ObjAttributes) {
     }
 }
 
+/// Tells which triangles lie across what they should keep apart.
+fn tell_of_crossing(path: &Path, mesh: &Mesh, attributes: &ObjAttributes) {
+    let Across { seams, hard_edges, sections } = attributes.across(mesh);
+    let told = [
+        (seams, "across seams", "without texture coordinates"),
+        (hard_edges, "across hard edges", "without normals"),
+        (sections, "across borders of groups or materials", "with the one or the other"),
+    ];
+    for (number, place, outcome) in told.into_iter().filter(|(number, ..)| *number > 0) {
+        note(format_args!(
+            "{}: {} {place}, {outcome}: sqrt3 turns those edges, and back at the next level; take an even number of \
+             levels of the whole mesh, or --scheme loop or four-eight",
+            path.display(),
+            count(number, "triangle lies", "triangles lie"),
+        ));
+    }
+}
+
 /// The refined mesh as it is written.
 pub(crate) struct Finished<'a> {
     mesh: &'a Mesh,
@@ -209,8 +223,13 @@ pub(crate) struct Finished<'a> {
 }
 
 impl<'a> Finished<'a> {
-    pub(crate) fn new(mesh: &'a Mesh, attributes: Option<ObjAttributes>) -> Self {
-        Self { mesh, with: attributes.map(|attributes| attributes.finish(mesh)) }
+    /// The mesh refined from the file at `path`; what that said of triangles which no step could keep is told.
+    pub(crate) fn new(path: &Path, mesh: &'a Mesh, attributes: Option<ObjAttributes>) -> Self {
+        let finish = |attributes: ObjAttributes| {
+            tell_of_crossing(path, mesh, &attributes);
+            attributes.finish(mesh)
+        };
+        Self { mesh, with: attributes.map(finish) }
     }
 
     /// Other faces than those of the mesh, with its vertices.

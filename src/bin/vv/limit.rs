@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use vvmesh::attributes::{NormalRule, ObjAttributes, ObjRules};
+use vvmesh::glam::DVec3;
 use vvmesh::io::{FaceAttributes, Format};
 use vvmesh::limit::{AnyLimit, ButterflyLimit, Limit, LoopLimit, ModifiedButterflyLimit, Normals, Sqrt3Limit};
 use vvmesh::step::{History, Keep};
@@ -45,12 +46,11 @@ pub(crate) fn run(arguments: &LimitArguments) -> Result<Outcome, Failure> {
     sharp::refuse_unblended(&mesh, arguments.scheme == LimitName::Loop, arguments.scheme)?;
     refuse_unfaded("", &mesh)?;
     let limit = limit(arguments);
-    let without = if arguments.normals { without_normal(&limit, &mesh) } else { Vec::new() };
     let mut said = attributes::for_output(&arguments.mesh, &arguments.output, said);
     if arguments.normals && said.is_none() {
         said = Some((mesh.to_face_list(), FaceAttributes::default()));
     }
-    let attributes = match said {
+    let mut attributes = match said {
         Some((triangles, said)) => {
             let normals = if arguments.normals { NormalRule::Limit(limit) } else { NormalRule::Keep };
             let (history, rules) = (History::new(&mesh, Keep::default()), ObjRules { normals, ..ObjRules::default() });
@@ -60,8 +60,12 @@ pub(crate) fn run(arguments: &LimitArguments) -> Result<Outcome, Failure> {
         }
         None => None,
     };
-    let attributes = move_vertices("", &mut mesh, attributes, &limit)?;
-    let finished = Finished::new(&mesh, attributes);
+    let positions = limit_positions("", &mesh, &limit)?;
+    attributes.iter_mut().for_each(|attributes| attributes.move_to_limit(&mesh, &limit));
+    let normals = attributes.as_ref().and_then(ObjAttributes::limit_normals);
+    let without = normals.map_or(Vec::new(), |normals| without_normal(&limit, &mesh, normals));
+    mesh.positions_mut().copy_from_slice(&positions);
+    let finished = Finished::new(&arguments.mesh, &mesh, attributes);
     finished.save(&arguments.output)?;
     finished.tell_of_rounding(&arguments.output);
 
@@ -87,9 +91,19 @@ pub(crate) fn run(arguments: &LimitArguments) -> Result<Outcome, Failure> {
 pub(crate) fn move_vertices(
     option: &str,
     mesh: &mut Mesh,
-    attributes: Option<ObjAttributes>,
+    attributes: Option<&mut ObjAttributes>,
     limit: &(impl Limit + Sync),
-) -> Result<Option<ObjAttributes>, Failure> {
+) -> Result<(), Failure> {
+    let positions = limit_positions(option, mesh, limit)?;
+    if let Some(attributes) = attributes {
+        attributes.move_to_limit(mesh, limit);
+    }
+    mesh.positions_mut().copy_from_slice(&positions);
+    Ok(())
+}
+
+/// Where infinitely many steps would bring the vertices; a refusal begins with `option`.
+fn limit_positions(option: &str, mesh: &Mesh, limit: &(impl Limit + Sync)) -> Result<Vec<DVec3>, Failure> {
     refuse_unfaded(option, mesh)?;
     let positions = limit.positions(mesh);
     if let Some(k) = positions.iter().position(|position| !position.is_finite()) {
@@ -98,12 +112,7 @@ pub(crate) fn move_vertices(
             VertexId::new(k)
         ));
     }
-    let attributes = attributes.map(|mut attributes| {
-        attributes.move_to_limit(mesh, limit);
-        attributes
-    });
-    mesh.positions_mut().copy_from_slice(&positions);
-    Ok(attributes)
+    Ok(positions)
 }
 
 /// Refuses a mesh that has no known limit yet; the refusal begins with `option`.
@@ -183,12 +192,11 @@ fn refuse_without_meaning(arguments: &LimitArguments) -> Result<(), Failure> {
 }
 
 /// The vertices that have no normal on some side, or no side, which is told.
-fn without_normal(limit: &AnyLimit, mesh: &Mesh) -> Vec<VertexId> {
-    let normals = limit.normals(mesh);
+fn without_normal(limit: &AnyLimit, mesh: &Mesh, normals: &Normals) -> Vec<VertexId> {
     let is_without = |&v: &VertexId| normals.of(v).is_empty() || normals.of(v).contains(&None);
     let without: Vec<VertexId> = mesh.vertices().filter(is_without).collect();
     if !without.is_empty() {
-        warn_of_missing(limit, mesh, &normals, &without);
+        warn_of_missing(limit, mesh, normals, &without);
     }
     without
 }

@@ -39,7 +39,7 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let Input { mesh, said, tags } = input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
     let said = attributes::to_take_along(arguments, &mesh, said)?;
     let limit = match said {
-        Some(_) => FaceLimit::with_attributes(asked.max_faces),
+        Some(_) => FaceLimit::with_attributes(asked),
         None => FaceLimit::new(asked.max_faces),
     };
     let ready = Ready { arguments, subdivider, said, limit };
@@ -54,7 +54,7 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     refine::refine(&mut run, asked, &selecting, limit, None, &mut bar)?;
     if let (true, Ok(limit)) = (asked.limit, limit::of_refinement(asked)) {
         limit::refuse_unready("--limit: ", &run.mesh, asked)?;
-        run.attributes = limit::move_vertices("--limit: ", &mut run.mesh, run.attributes.take(), &limit)?;
+        limit::move_vertices("--limit: ", &mut run.mesh, run.attributes.as_mut(), &limit)?;
     }
 
     let report = report(arguments, &run, input, boundary);
@@ -63,7 +63,7 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let unclosed = if arguments.is_unclosed() { run.history.unclosed(&run.mesh) } else { None };
     let finished = match unclosed {
         Some(faces) => Finished::of_faces(&run.mesh, faces),
-        None => Finished::new(&run.mesh, attributes),
+        None => Finished::new(&asked.mesh, &run.mesh, attributes),
     };
     let written = write(arguments, &run, &finished, &report, state);
     bar.hide();

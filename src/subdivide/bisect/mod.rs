@@ -54,7 +54,7 @@ use crate::rotation::RingBuf;
 use crate::scheme::{FourEight, MaskSink, WeightedSum};
 use crate::scratch::Scratch;
 use crate::select::Selection;
-use crate::split::bisect::Plan;
+use crate::split::bisect::{Plan, Seed};
 use crate::split::generation::Generations;
 use crate::split::matching::input_blocks;
 use crate::step::{Bisections, History, Lineage, SplitKind};
@@ -99,6 +99,26 @@ pub(super) fn step(scheme: &FourEight, request: Request<'_, '_>) -> Result<Step,
         split_edges: made,
         ..Step::default()
     })
+}
+
+/// Bisects a mesh where it lies over what a step bisected in the mesh below.
+pub(super) fn step_over(
+    scheme: &FourEight,
+    mesh: &mut Mesh,
+    history: &mut History,
+    seeds: impl Iterator<Item = Seed> + Clone,
+    scratch: &mut Scratch,
+    control: &mut Control<'_>,
+) -> Result<(), RefineError> {
+    let bisections = history.bisections().expect("the blocks of the mesh below are known");
+    let generations = Generations::new(history, &bisections.blocks);
+    let plan = Plan::over(mesh.rotation(), generations, seeds, scratch)?;
+    control.allow(plan.first() + plan.new_count(), mesh.face_count(), plan.added_faces())?;
+    let change = Change::compute(scheme, &plan, bisections, mesh.positions(), control)?;
+    let lists = plan.into_lists();
+    scratch.give(lists);
+    change.apply(mesh, history);
+    Ok(())
 }
 
 /// S' = S and every new vertex that is made of vertices of S alone.

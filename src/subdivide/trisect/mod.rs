@@ -31,15 +31,16 @@ mod points;
 mod whole;
 
 use super::whole::is_plain;
-use super::{Request, Step};
+use super::{Control, Request, Step};
 use crate::error::RefineError;
 use crate::id::{Edge, Triangle, VertexId};
+use crate::mesh::Mesh;
 use crate::rotation::RotationSystem;
 use crate::scheme::Sqrt3;
 use crate::scratch::Scratch;
 use crate::select::Selection;
-use crate::split::trisect::{Face, Plan};
-use crate::step::{Region, RegionKind, SplitKind};
+use crate::split::trisect::{Face, Levels, Plan, across_mate};
+use crate::step::{History, Region, RegionKind, SplitKind};
 
 /// Refines the triangles inside of a region; `exact` if its method promises exactness.
 pub(super) fn step(scheme: &Sqrt3, exact: bool, request: Request<'_, '_>) -> Result<Step, RefineError> {
@@ -69,6 +70,40 @@ pub(super) fn step(scheme: &Sqrt3, exact: bool, request: Request<'_, '_>) -> Res
     });
     scratch.give(buffers);
     step
+}
+
+/// Splits triangles of a mesh that lies over another, each of which [`can_split`].
+pub(super) fn step_over(
+    scheme: &Sqrt3,
+    exact: bool,
+    mesh: &mut Mesh,
+    history: &mut History,
+    mut triangles: Vec<Triangle>,
+    scratch: &mut Scratch,
+    control: &mut Control<'_>,
+) -> Result<(), RefineError> {
+    let mut buffers = scratch.take::<Buffers>();
+    let Buffers { plan, masks, .. } = &mut *buffers;
+    let split = if exact {
+        masks::split(scheme, mesh, history, &mut triangles, plan, masks, control)
+    } else {
+        passes::split(scheme, mesh, history, &triangles, plan, control)
+    };
+    let step = split.map(|max_valence| {
+        let made = plan.faces().iter().flat_map(|face| face.made().map(|(_, lineage)| (face.level, lineage)));
+        history.record(SplitKind::Trisect, mesh.vertex_count(), made, &[], max_valence);
+    });
+    scratch.give(buffers);
+    step
+}
+
+/// Whether a triangle can be split before any other is.
+pub(super) fn can_split(exact: bool, mesh: &Mesh, history: &History, triangle: Triangle) -> bool {
+    let levels = Levels::before(history, mesh.vertex_count(), Vec::new());
+    if exact {
+        return across_mate(mesh.rotation(), levels.state(triangle)).is_none();
+    }
+    passes::needed(mesh.rotation(), &levels, triangle).is_none()
 }
 
 /// What a step needs while it is made, kept from step to step.

@@ -18,7 +18,7 @@ use super::points::Points;
 use crate::error::RefineError;
 use crate::id::{Triangle, VertexId};
 use crate::mesh::Mesh;
-use crate::rotation::RingBuf;
+use crate::rotation::{RingBuf, RotationSystem};
 use crate::scheme::Sqrt3;
 use crate::split::trisect::{Levels, Plan, across_mate};
 use crate::step::{History, Motion, Motions};
@@ -143,21 +143,8 @@ impl Passes<'_> {
     /// What has to be split before a triangle can be, and can be now; `None` if nothing has to.
     fn first_needed(&self, triangle: Triangle) -> Option<Triangle> {
         // Each is half a level or more below the one that needs it.
-        std::iter::successors(self.needed(triangle), |&needed| self.needed(needed)).last()
-    }
-
-    /// One of those that have to be split before a triangle can be.
-    fn needed(&self, triangle: Triangle) -> Option<Triangle> {
-        let level = self.levels.state(triangle).level();
-        // The stars of input vertices wait for nothing.
-        let mut youngest = triangle.corners().into_iter().filter(|&v| level > 0 && self.levels.of(v) == level);
-        self.across_mate(triangle).or_else(|| youngest.find_map(|v| self.needed_around(v)))
-    }
-
-    /// One of those that have to be split before the first star of a vertex is complete.
-    fn needed_around(&self, v: VertexId) -> Option<Triangle> {
-        let own = |triangle: &Triangle| self.levels.state(*triangle).level() == self.levels.of(v);
-        self.mesh.rotation().triangles_around(v).filter(own).find_map(|triangle| self.across_mate(triangle))
+        let needed = |triangle| needed(self.mesh.rotation(), &self.levels, triangle);
+        std::iter::successors(needed(triangle), |&other| needed(other)).last()
     }
 
     /// Splits triangles at once, all of which can be.
@@ -181,7 +168,7 @@ impl Passes<'_> {
 
         let new = self.plan.pass().iter().flat_map(|face| face.made().map(|(x, _)| x));
         for v in new.chain(self.plan.apexes()) {
-            if self.points.motions.is_open(v) && self.needed_around(v).is_none() {
+            if self.points.motions.is_open(v) && needed_around(self.mesh.rotation(), &self.levels, v).is_none() {
                 closed_form::settle(self.scheme, self.points, self.mesh.rotation(), &self.levels, v);
                 self.undo.settled.push(v);
             }
@@ -207,4 +194,18 @@ impl Passes<'_> {
         }
         Ok(())
     }
+}
+
+/// One of those that have to be split before a triangle can be.
+pub(super) fn needed(rotation: &RotationSystem, levels: &Levels<'_>, triangle: Triangle) -> Option<Triangle> {
+    let state = levels.state(triangle);
+    // The stars of input vertices wait for nothing.
+    let mut youngest = triangle.corners().into_iter().filter(|&v| state.level() > 0 && levels.of(v) == state.level());
+    across_mate(rotation, state).or_else(|| youngest.find_map(|v| needed_around(rotation, levels, v)))
+}
+
+/// One of those that have to be split before the first star of a vertex is complete.
+fn needed_around(rotation: &RotationSystem, levels: &Levels<'_>, v: VertexId) -> Option<Triangle> {
+    let states = rotation.triangles_around(v).map(|triangle| levels.state(triangle));
+    states.filter(|state| state.level() == levels.of(v)).find_map(|state| across_mate(rotation, state))
 }
