@@ -49,7 +49,7 @@
 //! Then: [`query`] (stars, disks, areas, angles, normals), [`graph`] (petgraph's algorithms on the rings), [`limit`]
 //! (where infinitely many steps lead, at vertices and between them), [`predict`] (how many steps and faces an accuracy
 //! takes), `matrix` (refinement as a sparse matrix), [`attributes`] (colours, texture coordinates and labels that ride
-//! along), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and transactions), [`soup`]
+//! along), [`compare`] (methods beside uniform refinement), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and transactions), [`soup`]
 //! (faces that are no mesh yet), [`Mesh::reordered`] (other numbers, for a mesh whose neighbours lie far apart in
 //! memory).
 //!
@@ -168,6 +168,7 @@ pub mod angle;
 pub mod attributes;
 pub mod certify;
 pub mod check;
+pub mod compare;
 pub mod error;
 pub mod graph;
 pub mod id;

@@ -1,6 +1,7 @@
 //! Any scheme, chosen while the program runs.
 
 use super::{Butterfly, FourEight, Loop, Midpoint, ModifiedButterfly, Reach, Scheme, Sqrt3};
+use crate::error::ConfigError;
 use crate::step::SplitKind;
 
 /// One of the schemes. The pipeline tells them apart once a step; inside a step everything is static.
@@ -36,6 +37,28 @@ macro_rules! with_scheme {
 pub(crate) use with_scheme;
 
 impl AnyScheme {
+    /// The words for all of them.
+    pub const NAMES: [&str; 6] = ["loop", "butterfly", "modified-butterfly", "midpoint", "sqrt3", "four-eight"];
+
+    /// The scheme of this name, as it is by default.
+    ///
+    /// # Errors
+    /// For another name.
+    pub fn named(name: &str) -> Result<Self, ConfigError> {
+        Ok(match name {
+            "loop" => Loop::default().into(),
+            "butterfly" => Butterfly.into(),
+            "modified-butterfly" => ModifiedButterfly.into(),
+            "midpoint" => Midpoint.into(),
+            "sqrt3" => Sqrt3::default().into(),
+            "four-eight" => FourEight::default().into(),
+            _ => {
+                let expected = format!("one of {}", Self::NAMES.join(", "));
+                return Err(ConfigError { name: "scheme", value: name.into(), expected });
+            }
+        })
+    }
+
     /// The word for it.
     #[must_use]
     pub fn name(&self) -> &'static str {

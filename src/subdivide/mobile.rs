@@ -20,13 +20,13 @@ use super::quadrisect::Quadrisection;
 use super::{Request, Step};
 use crate::accuracy::Accuracy;
 use crate::certify::Certificate;
-use crate::error::{ConfigError, RefineError};
+use crate::error::RefineError;
 use crate::id::{Triangle, VertexId};
 use crate::limit::{Limit, LoopLimit};
 use crate::mesh::{Mesh, Neighborhood};
 use crate::parallel;
 use crate::query::expand;
-use crate::scheme::{AnyScheme, Loop, MaskSink, Midpoint, Reach, Scheme};
+use crate::scheme::{Loop, MaskSink, Midpoint, Reach, Scheme};
 use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::Diagonal;
@@ -55,19 +55,9 @@ pub(super) struct Mobile {
 }
 
 impl Mobile {
-    /// Under this scheme, or the reason why not.
-    pub(super) fn new(scheme: &AnyScheme, accuracy: Accuracy) -> Result<Self, ConfigError> {
-        let reason = match scheme {
-            AnyScheme::Loop(scheme) => return Ok(Self { limit: LoopLimit::new(scheme.weights()), accuracy }),
-            AnyScheme::Butterfly(_) | AnyScheme::ModifiedButterfly(_) | AnyScheme::Midpoint(_) => {
-                "the limit is known to be near under `loop` alone; this one leaves every vertex on it from the start, so \
-                 none would ever be mobile"
-            }
-            AnyScheme::Sqrt3(_) | AnyScheme::FourEight(_) => {
-                "the four cases are those of faces that `loop` splits in four"
-            }
-        };
-        Err(ConfigError { name: "scheme", value: scheme.name().into(), expected: reason.into() })
+    /// For the limit of a scheme.
+    pub(super) fn new(scheme: &Loop, accuracy: Accuracy) -> Self {
+        Self { limit: LoopLimit::new(scheme.weights()), accuracy }
     }
 
     /// The region of a step: the stars of those who may move, are selected, and are too far from their limit.

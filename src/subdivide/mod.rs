@@ -18,6 +18,7 @@ mod follow;
 mod hierarchy;
 mod mobile;
 mod over;
+mod pairs;
 mod positions;
 mod quadrisect;
 mod red_green;
@@ -28,12 +29,13 @@ mod whole;
 pub use follow::{Assignment, Follower, StepMasks, ValueId};
 pub use hierarchy::{Change, Dynamic, Target};
 pub use mobile::MobileStep;
+pub use pairs::{AnyMethod, Promise, promise};
 pub use values::Values;
 
 use std::ops::ControlFlow;
 
 use crate::accuracy::Accuracy;
-use crate::adaptive::AdaptiveMethod;
+use crate::adaptive::{AdaptiveMethod, Simple, Uniform};
 use crate::error::{ConfigError, RefineError};
 use crate::id::VertexId;
 use crate::mesh::Mesh;
@@ -98,6 +100,9 @@ pub struct Step {
     pub region: usize,
     /// How many edges were split, which is the number of new vertices; under √3 the boundary edges that were cut in three.
     pub split_edges: usize,
+    /// In how many passes it was found what is to be split: 1 unless what is split may ask for more, as by *red-green*; 0 if
+    /// nothing was looked for.
+    pub passes: usize,
     /// The new vertices with a triangle beside them that was not split in four, ascending; none under √3 and 4-8.
     pub t_vertices: Vec<VertexId>,
     /// The old vertices to which closing added neighbours, ascending; none under √3 and 4-8.
@@ -221,7 +226,9 @@ impl Subdivider {
     /// Under a scheme other than [`Loop`](crate::scheme::Loop), with the reason.
     pub fn mobile(scheme: impl Into<AnyScheme>, accuracy: Accuracy) -> Result<Self, ConfigError> {
         let scheme = scheme.into();
-        let method = Method::Mobile(Mobile::new(&scheme, accuracy)?);
+        promise(&scheme, "mobile")?;
+        let AnyScheme::Loop(masks) = &scheme else { unreachable!("other schemes are refused") };
+        let method = Method::Mobile(Mobile::new(masks, accuracy));
         Ok(Self { scheme, method, diagonal: Diagonal::default() })
     }
 
@@ -255,7 +262,7 @@ impl Subdivider {
     /// Under a scheme that does not split triangles in four, with the reason.
     pub fn red_green(scheme: impl Into<AnyScheme>) -> Result<Self, ConfigError> {
         let scheme = scheme.into();
-        red_green::require_quadrisection(&scheme)?;
+        promise(&scheme, "red-green")?;
         Ok(Self { scheme, method: Method::RedGreen, diagonal: Diagonal::default() })
     }
 
@@ -271,7 +278,7 @@ impl Subdivider {
     /// # Errors
     /// Under a scheme that does not split triangles in four, with the reason.
     pub fn red_green_restricted(scheme: impl Into<AnyScheme>) -> Result<Self, ConfigError> {
-        Self::on_hierarchy(scheme.into(), Demand::Leaves)
+        Self::on_hierarchy(scheme.into(), "red-green-restricted", Demand::Leaves)
     }
 
     /// The k-th step asks that all triangles around each selected vertex be there at level k, with what that needs, and for
@@ -281,12 +288,28 @@ impl Subdivider {
     /// # Errors
     /// Under a scheme that does not split triangles in four, with the reason.
     pub fn dynamic(scheme: impl Into<AnyScheme>) -> Result<Self, ConfigError> {
-        Self::on_hierarchy(scheme.into(), Demand::Stars)
+        Self::on_hierarchy(scheme.into(), "dynamic", Demand::Stars)
     }
 
-    fn on_hierarchy(scheme: AnyScheme, demand: Demand) -> Result<Self, ConfigError> {
-        red_green::require_quadrisection(&scheme)?;
+    fn on_hierarchy(scheme: AnyScheme, name: &str, demand: Demand) -> Result<Self, ConfigError> {
+        promise(&scheme, name)?;
         Ok(Self { scheme, method: Method::OnHierarchy(demand), diagonal: Diagonal::default() })
+    }
+
+    /// A scheme with a method that is chosen while the program runs.
+    ///
+    /// # Errors
+    /// If they do not go together, with the reason; see [`promise`].
+    pub fn of(scheme: impl Into<AnyScheme>, method: AnyMethod) -> Result<Self, ConfigError> {
+        match method {
+            AnyMethod::Uniform => Ok(Self::new(scheme, Uniform)),
+            AnyMethod::Simple => Ok(Self::new(scheme, Simple)),
+            AnyMethod::Incremental(method) => Ok(Self::new(scheme, method)),
+            AnyMethod::RedGreen => Self::red_green(scheme),
+            AnyMethod::RedGreenRestricted => Self::red_green_restricted(scheme),
+            AnyMethod::Dynamic => Self::dynamic(scheme),
+            AnyMethod::Mobile(accuracy) => Self::mobile(scheme, accuracy),
+        }
     }
 
     /// The same with another choice of diagonals in faces with two split edges; on a hierarchy they have a rule of their own,

@@ -79,6 +79,7 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
             selected: selection.len(),
             region: old,
             split_edges: new,
+            passes: 1,
             certified,
             ..Step::default()
         })
@@ -153,6 +154,7 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
             selected: selection.len(),
             region: moving.len(),
             split_edges: plan.edges.len(),
+            passes: 1,
             t_vertices: std::mem::replace(&mut closing.t_vertices, scratch.take_list()),
             o_vertices: std::mem::replace(&mut closing.o_vertices, scratch.take_list()),
             certified,

@@ -9,28 +9,16 @@
 
 use super::quadrisect::Quadrisection;
 use super::{Control, Request, Step};
-use crate::error::{ConfigError, RefineError};
+use crate::error::RefineError;
 use crate::id::{Edge, VertexId};
 use crate::mesh::Mesh;
 use crate::rotation::RotationSystem;
-use crate::scheme::{AnyScheme, Scheme};
+use crate::scheme::Scheme;
 use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::hierarchy::{Levels, Red, leaf_of, show};
 use crate::split::quadrisect::{Closing, Plan};
-use crate::step::{Hierarchy, History, Region, SplitKind};
-
-/// Refuses schemes that do not split triangles in four.
-pub(super) fn require_quadrisection(scheme: &AnyScheme) -> Result<(), ConfigError> {
-    if scheme.split_kind() == SplitKind::Quadrisect {
-        return Ok(());
-    }
-    Err(ConfigError {
-        name: "scheme",
-        value: scheme.name().into(),
-        expected: "one that splits triangles in four; the triangles of this one conform without being bisected".into(),
-    })
-}
+use crate::step::{Hierarchy, History, Region};
 
 /// Makes one step for a selection.
 pub(super) fn step<S: Scheme + Sync>(
@@ -60,7 +48,7 @@ pub(super) fn step<S: Scheme + Sync>(
     };
     let followed = step.map(|step| {
         let older = older_between(&hierarchy, &red, selection, first);
-        Step { selection: step.selection.union(&older), ..step }
+        Step { selection: step.selection.union(&older), passes: red.passes, ..step }
     });
     history.keep_hierarchy(hierarchy);
     followed

@@ -39,6 +39,7 @@ pub(crate) enum Command {
     Demo(DemoArguments),
     Info(InfoArguments),
     Check(CheckArguments),
+    Compare(CompareArguments),
     Select(SelectArguments),
     Subdivide(SubdivideArguments),
     Matrix(MatrixArguments),
@@ -170,6 +171,58 @@ pub(crate) struct SubdivideArguments {
     /// Print the report as JSON
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// Refine a region by every method, and compare each with uniform refinement
+#[derive(Args, Debug)]
+#[command(after_help = format!("\
+{EXPRESSIONS}Example:
+  vv compare spot.obj --select disk:0,4 --levels 3 --accuracy 0.01 --markdown
+
+One row a method and level. T- and O-vertices are those of the step, passes those in which it found
+what to split; the greatest valence, the level balance (the greatest difference of levels around a
+vertex) and the smallest angle are those of the whole mesh. The deviation of a vertex is how far it
+is from its place in the uniform mesh of the same level, that of its limit how far the limits are
+from each other. Both, and the percentage of those at the very same place, are of the vertices that
+follow the selection in the uniform mesh, found by name. Which is exact is computed around the
+selection, so the uniform mesh need not fit: then only its sizes are told. Memory is that of the mesh
+and its history with the names of all vertices. A row that could not be made has `skipped`, the reason."))]
+pub(crate) struct CompareArguments {
+    /// The mesh, OBJ or OFF
+    #[arg(value_name = "MESH")]
+    pub(crate) mesh: PathBuf,
+    /// Which vertices, chosen once and followed through the levels; see below
+    #[arg(long, value_name = "EXPR")]
+    pub(crate) select: String,
+    /// How many steps
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..), allow_negative_numbers = true)]
+    pub(crate) levels: u8,
+    /// Which weights make the new positions, and how triangles are split
+    #[arg(long, default_value = "loop")]
+    pub(crate) scheme: SchemeName,
+    /// How near to its limit `mobile` brings a vertex before it stays for ever; without it that method is skipped
+    #[arg(long, value_name = "EPS", value_parser = accuracy, allow_negative_numbers = true)]
+    pub(crate) accuracy: Option<Accuracy>,
+    /// Refuse to make meshes of more faces than this [default: what fits the memory that is free]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub(crate) max_faces: Option<u64>,
+    #[command(flatten)]
+    pub(crate) form: FormArguments,
+}
+
+// How a table is printed. No doc comment: it would stand in the help.
+#[derive(Args, Debug)]
+#[group(multiple = false)]
+pub(crate) struct FormArguments {
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Print comma-separated values, with the names that JSON has
+    #[arg(long)]
+    pub(crate) csv: bool,
+    /// Print a table for Markdown
+    #[arg(long)]
+    pub(crate) markdown: bool,
 }
 
 /// Write a refinement as a sparse matrix: refined positions are this matrix times those of the input

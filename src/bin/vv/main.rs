@@ -6,6 +6,7 @@
 mod args;
 mod attributes;
 mod check;
+mod compare;
 mod console;
 mod demo;
 mod demo_model;
@@ -55,6 +56,7 @@ fn main() -> ExitCode {
         Command::Demo(arguments) => demo::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Select(arguments) => select::run(&arguments),
         Command::Subdivide(arguments) => subdivide::run(&arguments),
         Command::Matrix(arguments) => matrix::run(&arguments),

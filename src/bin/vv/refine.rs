@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use vvmesh::adaptive::{Incremental, Simple, Uniform};
+use vvmesh::adaptive::Incremental;
 use vvmesh::certify::Certificate;
-use vvmesh::error::RefineError;
+use vvmesh::error::{ConfigError, RefineError};
 use vvmesh::io::ObjTags;
 use vvmesh::scheme::{AnyScheme, Butterfly, FourEight, Loop, Midpoint, ModifiedButterfly, Sqrt3};
 use vvmesh::select::Expression;
 use vvmesh::step::{Blocks, Cause, Keep, SplitKind, Spoiler};
-use vvmesh::subdivide::{Control, Follower, Subdivider};
+use vvmesh::subdivide::{AnyMethod, Control, Follower, Subdivider};
 use vvmesh::{Mesh, VertexId};
 
 use crate::args::{BlocksName, BoundaryName, MethodName, RefineArguments, SchemeName, loop_weights};
@@ -170,19 +170,20 @@ fn blocks(arguments: &RefineArguments) -> Blocks {
 }
 
 fn subdivider(arguments: &RefineArguments, scheme: AnyScheme) -> Result<Subdivider, Failure> {
-    let subdivider = match arguments.method {
-        MethodName::Uniform => Ok(Subdivider::new(scheme, Uniform)),
-        MethodName::Simple => Ok(Subdivider::new(scheme, Simple)),
-        MethodName::Incremental => Incremental::new(rings(arguments)).map(|method| Subdivider::new(scheme, method)),
-        MethodName::RedGreen => Subdivider::red_green(scheme),
-        MethodName::RedGreenRestricted => Subdivider::red_green_restricted(scheme),
-        MethodName::Dynamic => Subdivider::dynamic(scheme),
-        MethodName::Mobile => {
-            let accuracy = arguments.accuracy.expect("without it the arguments are refused");
-            Subdivider::mobile(scheme, accuracy)
-        }
-    };
+    let subdivider = method(arguments).and_then(|method| Subdivider::of(scheme, method));
     subdivider.or_else(|error| refuse(format!("--{error}")))
+}
+
+fn method(arguments: &RefineArguments) -> Result<AnyMethod, ConfigError> {
+    Ok(match arguments.method {
+        MethodName::Uniform => AnyMethod::Uniform,
+        MethodName::Simple => AnyMethod::Simple,
+        MethodName::Incremental => AnyMethod::Incremental(Incremental::new(rings(arguments))?),
+        MethodName::RedGreen => AnyMethod::RedGreen,
+        MethodName::RedGreenRestricted => AnyMethod::RedGreenRestricted,
+        MethodName::Dynamic => AnyMethod::Dynamic,
+        MethodName::Mobile => AnyMethod::Mobile(arguments.accuracy.expect("without it the arguments are refused")),
+    })
 }
 
 pub(crate) fn rings(arguments: &RefineArguments) -> usize {

@@ -90,17 +90,22 @@ impl Grower<'_> {
     }
 
     /// Splits, until there is none, triangles of which two edges or more are split: those beside edges that were split here.
-    pub(crate) fn close_red(&mut self) -> Result<(), RefineError> {
-        let mut closed = 0;
-        while let Some(&x) = self.growth.made.get(closed) {
-            for triangle in self.levels().triangles_beside(x).into_iter().flatten() {
-                if self.hierarchy.odds(triangle).iter().flatten().count() >= 2 {
-                    self.split_restricted(triangle)?;
+    /// Answers in how many passes something was split.
+    pub(crate) fn close_red(&mut self) -> Result<usize, RefineError> {
+        let (mut closed, mut passes) = (0, 0);
+        while closed < self.growth.made.len() {
+            let made = self.growth.made.len();
+            for k in closed..made {
+                for triangle in self.levels().triangles_beside(self.growth.made[k]).into_iter().flatten() {
+                    if self.hierarchy.odds(triangle).iter().flatten().count() >= 2 {
+                        self.split_restricted(triangle)?;
+                    }
                 }
             }
-            closed += 1;
+            passes += usize::from(self.growth.made.len() > made);
+            closed = made;
         }
-        Ok(())
+        Ok(passes)
     }
 
     /// The vertices that were made so far on an edge between two of which this holds.

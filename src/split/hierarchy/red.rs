@@ -7,6 +7,7 @@
 //! Source: `[bank1983]`.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::mem;
 
 use super::{Across, Levels};
 use crate::id::{Edge, Triangle, VertexId};
@@ -36,6 +37,9 @@ pub(crate) struct Red {
     pub(crate) leaves: BTreeSet<Triangle>,
     /// The edges that are split for it, each as the first edge of such a leaf, counter-clockwise.
     pub(crate) edges: BTreeMap<Edge, [VertexId; 3]>,
+    /// How many passes found them: one for the leaves that were asked for, each other for those that the one before made
+    /// necessary.
+    pub(crate) passes: usize,
 }
 
 impl Red {
@@ -43,12 +47,16 @@ impl Red {
     pub(crate) fn closure(levels: Levels<'_>, leaves: impl IntoIterator<Item = [VertexId; 3]>) -> Self {
         let mut red = Self::default();
         let mut due: Vec<[VertexId; 3]> = leaves.into_iter().collect();
-        while let Some([a, b, c]) = due.pop() {
-            if red.leaves.insert(Triangle::new(a, b, c)) {
-                for side in [[a, b, c], [b, c, a], [c, a, b]] {
-                    due.extend(red.split_side(levels, side));
+        while !due.is_empty() {
+            let found = red.leaves.len();
+            for [a, b, c] in mem::take(&mut due) {
+                if red.leaves.insert(Triangle::new(a, b, c)) {
+                    for side in [[a, b, c], [b, c, a], [c, a, b]] {
+                        due.extend(red.split_side(levels, side));
+                    }
                 }
             }
+            red.passes += usize::from(red.leaves.len() > found);
         }
         red
     }

@@ -97,6 +97,7 @@ pub(super) fn step(scheme: &FourEight, request: Request<'_, '_>) -> Result<Step,
         selected: selection.len(),
         region: region_size,
         split_edges: made,
+        passes: 1,
         ..Step::default()
     })
 }

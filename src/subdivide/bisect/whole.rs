@@ -42,7 +42,14 @@ pub(super) fn step(scheme: &FourEight, request: Request<'_, '_>) -> Result<Step,
     let on_boundary = 2 * new - faces;
     rotation.replace_rings(rings, 2 * faces, rotation.boundary_edge_count() + on_boundary);
     history.record_whole(SplitKind::Bisect, old + new, whole::max_valence(rotation, old, 4));
-    Ok(Step { selection: followed, selected: selection.len(), region: old, split_edges: new, ..Step::default() })
+    Ok(Step {
+        selection: followed,
+        selected: selection.len(),
+        region: old,
+        split_edges: new,
+        passes: 1,
+        ..Step::default()
+    })
 }
 
 fn positions(

@@ -10,7 +10,7 @@ use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::split::hierarchy::Levels;
 use crate::step::History;
-use crate::subdivide::red_green::require_quadrisection;
+use crate::subdivide::promise;
 use crate::subdivide::{Control, require_blended};
 
 /// A mesh that is refined and coarsened anywhere, in any order.
@@ -95,7 +95,7 @@ impl Dynamic {
     /// For another scheme.
     pub fn new(scheme: impl Into<AnyScheme>) -> Result<Self, ConfigError> {
         let scheme = scheme.into();
-        require_quadrisection(&scheme)?;
+        promise(&scheme, "dynamic")?;
         Ok(Self { scheme })
     }
 

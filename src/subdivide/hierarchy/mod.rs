@@ -116,8 +116,8 @@ pub(super) fn step(
     control: &mut Control<'_>,
 ) -> Result<Step, RefineError> {
     let level = u8::try_from(history.step_count() + 1).map_err(|_| RefineError::TooDeep)?;
-    let (change, selection_after) = work_on(scheme, demand, mesh, history, scratch, |site| match demand {
-        Demand::Stars => dynamic::step(site, selection, level, control),
+    let (change, selection_after, passes) = work_on(scheme, demand, mesh, history, scratch, |site| match demand {
+        Demand::Stars => dynamic::step(site, selection, level, control).map(|(change, after)| (change, after, 1)),
         Demand::Leaves => red_green(site, selection, control),
     })?;
     let Change { added, changed, mut t_vertices, mut o_vertices, .. } = change;
@@ -134,6 +134,7 @@ pub(super) fn step(
         selected: selection.len(),
         region: changed.len() - added.len(),
         split_edges: added.len(),
+        passes,
         t_vertices,
         o_vertices,
         certified,
@@ -141,29 +142,30 @@ pub(super) fn step(
     })
 }
 
-/// Splits the leaves inside of a selection, then all with two split edges and more, until there is none.
+/// Splits the leaves inside of a selection, then all with two split edges and more, until there is none. Answers in how many
+/// passes, too.
 fn red_green(
     site: Site<'_>,
     selection: &Selection,
     control: &mut Control<'_>,
-) -> Result<(Change, Selection), RefineError> {
+) -> Result<(Change, Selection, usize), RefineError> {
     let levels = Levels::new(site.mesh.rotation(), &site.refinement.hierarchy);
     let marks = site.scratch.marked(site.mesh.vertex_count(), selection.vertices());
     let around = selection.vertices().iter().flat_map(|&v| leaves_around(levels, v));
     let inside = |[v, a, b]: &[VertexId; 3]| v < a && v < b && marks.is_set(*a) && marks.is_set(*b);
     let leaves: Vec<[VertexId; 3]> = around.filter(inside).collect();
 
-    let mut followed = selection.vertices().to_vec();
+    let (mut followed, mut passes) = (selection.vertices().to_vec(), usize::from(!leaves.is_empty()));
     let change = site.grow(control, |grower| {
         for leaf in leaves {
             grower.split_restricted(leaf)?;
         }
-        grower.close_red()?;
+        passes += grower.close_red()?;
         let selected = |v: &VertexId| selection.contains(*v);
         followed.extend(grower.made_between(selected));
         Ok(())
     })?;
-    Ok((change, followed.into_iter().collect()))
+    Ok((change, followed.into_iter().collect(), passes))
 }
 
 /// Shows what became of a hierarchy in which these vertices are new, or none any more.

@@ -65,6 +65,7 @@ pub(super) fn step(scheme: &Sqrt3, exact: bool, request: Request<'_, '_>) -> Res
             selected: selection.len(),
             region: vertices.len(),
             split_edges: plan.faces().iter().filter(|face| face.cutting().is_some()).count(),
+            passes: 1,
             ..Step::default()
         }
     });

@@ -33,7 +33,14 @@ pub(super) fn step(scheme: &Sqrt3, request: Request<'_, '_>) -> Result<Step, Ref
     *positions = new_positions;
     rotation.replace_rings(rings, 3 * faces, boundary + 2 * cut);
     history.record_whole(SplitKind::Trisect, all, whole::max_valence(rotation, old, 6));
-    Ok(Step { selection: followed, selected: selection.len(), region: old, split_edges: cut, ..Step::default() })
+    Ok(Step {
+        selection: followed,
+        selected: selection.len(),
+        region: old,
+        split_edges: cut,
+        passes: 1,
+        ..Step::default()
+    })
 }
 
 fn positions(
