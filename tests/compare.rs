@@ -184,22 +184,55 @@ fn an_empty_selection_and_one_that_does_not_exist() {
     assert!(Reference::new(&mesh, &beyond, Midpoint, 1, None).is_err());
 }
 
-/// Fig. 25 of the paper on incremental subdivision, on a mesh of as many faces: the relations, and the counts that
-/// `papers/incremental.md` has.
+/// Whether every edge inside of a selection is a side of a face inside of it.
+fn has_no_lone_edge(mesh: &Mesh, selection: &Selection) -> bool {
+    let mut inside = mesh.edges().filter(|edge| edge.ends().iter().all(|&v| selection.contains(v)));
+    inside.all(|edge| {
+        let [a, b] = edge.ends();
+        let mut faces = mesh.rotation().triangles_around(a).map(|face| face.corners());
+        faces.any(|corners| corners.contains(&b) && corners.iter().all(|&v| selection.contains(v)))
+    })
+}
+
+/// Fig. 25 of the paper on incremental subdivision, on a mesh of as many faces: the relations, and the numbers in
+/// `papers/incremental.md`.
 #[test]
 fn figure_25() {
     let Some(folder) = common::meshes() else { return };
     let mesh = common::load::load(&folder.join("papers/goathead_1420.off"));
-    let selection = Dihedral::new(Angle::from_deg(DIHEDRAL)).unwrap().select(&mesh, &mut Scratch::new()).unwrap();
-    let reference = Reference::new(&mesh, &selection, Loop::default(), 2, None).unwrap();
-    let counts = |method| {
-        let rows = reference.compare_named(method, None);
-        [0, 1].map(|k: usize| made(&rows[k]).faces)
+    let faces = |selection: &Selection| {
+        let reference = Reference::new(&mesh, selection, Loop::default(), 2, None).unwrap();
+        ["uniform", "simple", "red-green-restricted", "incremental-1"].map(|method| {
+            let rows = reference.compare_named(method, None);
+            [made(&rows[0]).faces, made(&rows[1]).faces]
+        })
     };
-    let [regular, simple, incremental] = ["uniform", "simple", "incremental-1"].map(counts);
-    assert_eq!(regular, [5680, 22720]);
-    println!("{simple:?} {incremental:?} {:?}", counts("red-green"));
-    assert!(simple[1] <= incremental[1] && incremental[1] <= regular[1]);
-}
+    let folded = |degrees| Dihedral::new(Angle::from_deg(degrees)).unwrap();
+    let criterion = folded(15.0).and(Disk::new(VertexId::new(300), 9));
+    let selection = criterion.select(&mesh, &mut Scratch::new()).unwrap();
+    assert!(has_no_lone_edge(&mesh, &selection));
+    let here = faces(&selection);
+    let [regular, simple, red_green, incremental] = here;
+    assert_eq!(simple[0], red_green[0]);
+    assert!(simple[1] <= red_green[1] && red_green[1] <= incremental[1] && incremental[1] <= regular[1]);
 
-const DIHEDRAL: f64 = 20.0;
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/papers/incremental.md")).unwrap();
+    let assert_told = |line: &str| assert!(page.contains(line), "papers/incremental.md does not have `{line}`");
+    let paper = [[5680, 22720], [2880, 8536], [2880, 9134], [3420, 10148]];
+    for (level, (whose, counts)) in [0, 1].into_iter().flat_map(|k| [(k, ("paper", paper)), (k, ("here", here))]) {
+        let counts = counts.map(|counts| counts[level].to_string()).join(" | ");
+        assert_told(&format!("| {} | {whose} | {counts} |", level + 1));
+    }
+    for (name, method) in [("red-green, restricted", 2), ("simple", 1)] {
+        let more = |counts: [[usize; 2]; 4], of: usize| {
+            100.0 * (counts[3][1] - counts[method][1]) as f64 / counts[of][1] as f64
+        };
+        let parts = [(paper, 0), (here, 0), (paper, method), (here, method)].map(|(counts, of)| more(counts, of));
+        assert_told(&format!("| {name} | {} |", parts.map(|part| format!("{part:.1} %")).join(" | ")));
+    }
+
+    let strips = folded(50.8).select(&mesh, &mut Scratch::new()).unwrap();
+    assert!(!has_no_lone_edge(&mesh, &strips));
+    let [_, simple, red_green, _] = faces(&strips);
+    assert_told(&format!("they make {} and {} faces", simple[0], red_green[0]));
+}

@@ -36,16 +36,8 @@ pub use measures::Measures;
 pub use reference::Reference;
 
 /// The names of the methods that are compared unless others are asked for; see [`AnyMethod::named`](crate::subdivide::AnyMethod::named).
-pub const METHODS: [&str; 8] = [
-    "uniform",
-    "simple",
-    "red-green",
-    "red-green-restricted",
-    "incremental-1",
-    "incremental-2",
-    "mobile",
-    "dynamic",
-];
+pub const METHODS: [&str; 8] =
+    ["uniform", "simple", "red-green", "red-green-restricted", "incremental-1", "incremental-2", "mobile", "dynamic"];
 
 /// A level of a method.
 #[derive(Clone, PartialEq, Debug)]
