@@ -1,5 +1,6 @@
 //! `vv compare` as its user meets it.
 #![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, reason = "a test that panics has failed")]
 
 mod common;
 

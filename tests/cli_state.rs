@@ -101,7 +101,7 @@ fn what_does_not_belong_to_a_state_is_refused() {
     ];
     for (text, words) in bad {
         desk.write("s.json", &text);
-        desk.vv(&command("out.obj", &format!("{how} --max-faces 5000"))).assert_refused(words);
+        desk.vv(&command("out.obj", &format!("{how} --max-faces 500"))).assert_refused(words);
         assert_eq!((desk.read("s.json"), desk.read("out.obj")), (text, mesh.clone()));
     }
 }

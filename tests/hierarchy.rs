@@ -398,10 +398,10 @@ fn moving_selections_on_shared_meshes_are_exact() {
         let methods = [Subdivider::new(scheme.clone(), Simple), Subdivider::new(scheme, Incremental::new(1).unwrap())];
         for (k, subdivider) in methods.iter().enumerate() {
             let (mut run, mut random) = (Run::new(&mesh), Random::new(number as u64));
-            for level in 1..=3 {
+            for uniform in &uniform[1..=3] {
                 let selection = moving(&run, &mut random);
                 run.step(subdivider, &selection);
-                let beside = Beside::new(&run, &uniform[level]);
+                let beside = Beside::new(&run, uniform);
                 let certificate = Certificate::new(&run.mesh, &run.history).unwrap();
                 for &v in selection.vertices() {
                     let same = beside.star_is_same(v);

@@ -7,7 +7,7 @@ use vvmesh::scheme::AnyScheme;
 use vvmesh::scratch::Scratch;
 
 use crate::Outcome as Exit;
-use crate::args::{CompareArguments, FormArguments};
+use crate::args::{CompareArguments, FormArguments, MethodName};
 use crate::console::{Failure, note, print, print_json, refuse};
 use crate::input;
 use crate::memory::FaceLimit;
@@ -66,7 +66,8 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Exit, Failure> {
 
     let mut bar = Bar::new();
     bar.show_stage("uniform refinement of the region".to_owned());
-    let limit = FaceLimit::new(arguments.max_faces);
+    // The methods on a hierarchy take the most.
+    let limit = FaceLimit::new(arguments.max_faces, MethodName::Dynamic);
     let reference = Reference::new(&mesh, &selection, scheme, arguments.levels, Some(limit.faces));
     let reference = match reference {
         Ok(reference) => reference,

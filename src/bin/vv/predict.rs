@@ -11,7 +11,7 @@ use vvmesh::subdivide::{Control, Subdivider};
 use vvmesh::{Accuracy, Mesh};
 
 use crate::Outcome;
-use crate::args::{PredictArguments, loop_weights};
+use crate::args::{MethodName, PredictArguments, loop_weights};
 use crate::console::{Failure, note, print, print_json, refuse};
 use crate::input::Input;
 use crate::memory::FaceLimit;
@@ -153,7 +153,7 @@ impl Foretold<'_> {
 
 /// The greatest distances found at two depths, the second of which makes so many faces.
 fn measure(mesh: &Mesh, weights: LoopWeights, depths: [u32; 2], faces: u64) -> Result<[f64; 2], Failure> {
-    let limit = FaceLimit::new(None);
+    let limit = FaceLimit::new(None, MethodName::Uniform);
     if !limit.holds(faces) {
         return refuse(format!(
             "--verify would make {faces} faces, and the free memory holds about {}; ask for a coarser --accuracy",

@@ -40,7 +40,7 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let said = attributes::to_take_along(arguments, &mesh, said)?;
     let limit = match said {
         Some(_) => FaceLimit::with_attributes(asked),
-        None => FaceLimit::new(asked.max_faces),
+        None => FaceLimit::new(asked.max_faces, asked.method),
     };
     let ready = Ready { arguments, subdivider, said, limit };
     let (mut run, boundary, state) = match begun {
