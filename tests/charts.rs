@@ -10,11 +10,13 @@ use common::random::{Closed, Picks, Surface, WithBoundary, check};
 use common::ride::Ride;
 use vvmesh::adaptive::{Incremental, Simple, Uniform};
 use vvmesh::attributes::{Blend, Channel, Seams};
+use vvmesh::error::RefineError;
 use vvmesh::glam::{DVec2, DVec3};
 use vvmesh::query::measure::triangle_area;
 use vvmesh::scheme::{AnyScheme, FourEight, Loop, Sqrt3};
+use vvmesh::scratch::Scratch;
 use vvmesh::select::Selection;
-use vvmesh::subdivide::Subdivider;
+use vvmesh::subdivide::{Control, Subdivider};
 use vvmesh::{Edge, Mesh, Triangle, VertexId, io, shapes};
 
 fn uniform(scheme: impl Into<AnyScheme>) -> Subdivider {
@@ -346,6 +348,22 @@ fn channels_may_be_added_on_the_way() {
             assert_eq!(labels.into_iter().collect::<BTreeSet<u32>>(), numbers.into_iter().collect());
         }
     }
+}
+
+#[test]
+fn a_channel_that_joins_too_late_is_refused() {
+    let mut ride = Ride::new(&shapes::torus(6, 5, 2.0, 1.0));
+    let subdivider = Subdivider::new(Sqrt3::default(), Simple);
+    let selection: Selection = (0..12).map(VertexId::new).collect();
+    let selection = ride.step(&subdivider, &selection);
+    let positions = ride.mesh.positions().iter().map(|p| p.to_array()).collect();
+    let channel = Channel::new("uv", Blend::Scheme, positions).unwrap();
+    let corners: Vec<_> = ride.mesh.triangles().map(|t| Some(t.corners().map(|v| v.index() as u32))).collect();
+    ride.attributes.add_corner_channel(&ride.mesh, &ride.history, &channel, &corners, Seams::Scheme).unwrap();
+    let Ride { mesh, history, attributes } = &mut ride;
+    let (count, control) = (mesh.vertex_count(), &mut Control::default());
+    let refused = attributes.step(&subdivider, mesh, history, &selection, &mut Scratch::new(), control);
+    assert_eq!((refused.unwrap_err(), mesh.vertex_count()), (RefineError::JoinedLate, count));
 }
 
 // Labels.

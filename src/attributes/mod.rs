@@ -19,6 +19,8 @@
 //! boundary. The charts are refined all the same, by the boundary rule of √3, and with the next step its faces have
 //! values again. [`Attributes::faces_across_seams`] and [`Attributes::faces_across_labels`] count what lies across.
 //!
+//! Only red-green refinement, which takes faces back, refuses corner channels and labels.
+//!
 //! Read in this order: [`Channel`], [`Blend`], [`Attributes`], [`ObjAttributes`] (the same for what an OBJ file says).
 //!
 //! **Deliberately not here**: normals as values. Those of a refined surface are no blend of the old ones; they are
