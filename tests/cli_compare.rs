@@ -46,7 +46,8 @@ fn json_has_a_row_for_every_method_and_level() {
     }
     let last = |method: &str| rows(&report).iter().rfind(|row| row["method"] == method).unwrap();
     assert_eq!(last("uniform")["faces"], 60 * 16);
-    for method in ["uniform", "red-green-restricted", "incremental-1", "incremental-2", "dynamic"] {
+    // Under restriction every vertex is where some uniform mesh has it, at the border one of a level before.
+    for method in ["uniform", "incremental-1", "incremental-2", "dynamic"] {
         assert_eq!((&last(method)["equal_percent"], &last(method)["max_deviation"]), (&100.0.into(), &0.0.into()));
     }
     assert!(last("simple")["max_deviation"].as_f64().unwrap() > 1e-3);
