@@ -144,6 +144,7 @@ fn near(disks: &[Selection]) -> Selection {
 }
 
 /// Runs a stroke some times, prints how long its steps took, and answers the mean of a stroke times the runs.
+#[expect(clippy::print_stdout, reason = "criterion tells of strokes, not of their steps")]
 fn repeated(iterations: u64, mut stroke: impl FnMut() -> Vec<Duration>) -> Duration {
     let mut times: Vec<Duration> = (0..iterations).flat_map(|_| stroke()).collect();
     times.sort_unstable();
