@@ -142,12 +142,11 @@ impl Reading {
         let there = triangles.len();
         self.triangles.reserve_exact(count.min(there));
         for (k, triangle) in triangles.take(count).enumerate() {
-            let number = |at: usize| {
-                let bytes = [triangle[at], triangle[at + 1], triangle[at + 2], triangle[at + 3]];
-                f64::from(f32::from_le_bytes(bytes))
-            };
-            // The normal stands before the corners.
-            let corners = [12, 24, 36].map(|start| [0, 4, 8].map(|axis| number(start + axis)));
+            let mut corners = [[0.0; 3]; 3];
+            // The normal stands before them.
+            for (value, bytes) in corners.as_flattened_mut().iter_mut().zip(triangle[12..48].chunks_exact(4)) {
+                *value = f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]).into();
+            }
             let read = START + TRIANGLE * (k + 1);
             self.triangle(corners).map_err(|kind| ReadError::behind(read, kind))?;
             if triangle[TRIANGLE - 2..] != [0, 0] {
@@ -208,16 +207,16 @@ impl Reading {
         if self.triangles.len() == MOST {
             return Err(ReadErrorKind::TooMany("corners of faces"));
         }
-        let vertices = corners.map(|corner| {
+        let mut vertices = [0; 3];
+        for (vertex, corner) in vertices.iter_mut().zip(corners) {
             // + 0 makes 0 of -0. There are no more vertices than corners, so their ids have a place.
             let bits = corner.map(|value| (value + 0.0).to_bits());
             let next = self.positions.len() as u32;
-            let vertex = *self.at.entry(bits).or_insert(next);
-            if vertex == next {
+            *vertex = *self.at.entry(bits).or_insert(next);
+            if *vertex == next {
                 self.positions.push(corner.into());
             }
-            vertex
-        });
+        }
         self.triangles.push(vertices);
         notes::count(&mut self.notes, NoteKind::FaceNormals, 0);
         Ok(())
