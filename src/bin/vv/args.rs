@@ -188,7 +188,7 @@ follow the selection in the uniform mesh, found by name. Which is exact is compu
 selection, so the uniform mesh need not fit: then only its sizes are told. Memory is that of the mesh
 and its history with the names of all vertices. A row that could not be made has `skipped`, the reason."))]
 pub(crate) struct CompareArguments {
-    /// The mesh, OBJ or OFF
+    /// The mesh: OBJ, OFF, PLY or STL
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
     /// Which vertices, chosen once and followed through the levels; see below
