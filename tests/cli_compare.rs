@@ -31,7 +31,7 @@ const METHODS: [&str; 8] =
 
 fn rows(report: &Value) -> &Vec<Value> {
     assert_eq!(keys(report), ["rows"]);
-    report["rows"].as_array().unwrap()
+    report["rows"].as_array().expect("rows are a list")
 }
 
 #[test]

@@ -7,13 +7,14 @@ mod common;
 use common::random::{Closed, Picks, Surface, WithBoundary, check};
 use vvmesh::accuracy::Accuracy;
 use vvmesh::adaptive::{Incremental, Uniform};
+use vvmesh::check::{Sharing, balance};
 use vvmesh::compare::{METHODS, Measures, Outcome, Reference, Row};
 use vvmesh::glam::DVec3;
 use vvmesh::limit::{Limit, LoopLimit};
 use vvmesh::scheme::{AnyScheme, Loop, Midpoint, Sqrt3};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Dihedral, Disk, Selection};
-use vvmesh::step::{History, Keep};
+use vvmesh::step::{History, Keep, SplitKind};
 use vvmesh::subdivide::{AnyMethod, Control, Subdivider};
 use vvmesh::{Angle, Mesh, VertexId, shapes};
 
@@ -101,10 +102,8 @@ fn every_method_has_a_row_for_every_level() {
             if ["uniform", "incremental-1", "incremental-2"].contains(&method) {
                 assert!(rows.iter().all(|row| made(row).equal_percent == Some(100.0)), "{method}");
                 assert!(rows.iter().all(|row| made(row).max_deviation == Some(0.0)), "{method}");
-                assert!(
-                    rows.iter().all(|row| made(row).balance <= 1 + u32::from(scheme.name() == "sqrt3")),
-                    "{method}"
-                );
+                let in_four = scheme.split_kind() == SplitKind::Quadrisect;
+                assert!(!in_four || rows.iter().all(|row| made(row).balance <= 1), "{} {method}", scheme.name());
             }
         }
         let without = reference.compare_named("mobile", None);
@@ -146,7 +145,12 @@ fn measures_are_those_of_the_mesh() {
     assert_eq!([measures.faces, measures.vertices], [mesh.face_count(), mesh.vertex_count()]);
     assert_eq!([measures.t_vertices, measures.o_vertices], [step.t_vertices.len(), step.o_vertices.len()]);
     assert_eq!((measures.max_valence, measures.passes), (history.max_valence(), 1));
-    assert!(measures.balance == 1 && measures.min_angle_deg.unwrap() > 0.0 && measures.bytes > mesh.memory_bytes());
+    assert!(measures.min_angle_deg.unwrap() > 0.0 && measures.bytes > mesh.memory_bytes());
+    let closing = history.closing_edges(&mesh).unwrap();
+    let level = |triangle| u32::from(history.face_level(triangle, &closing).unwrap().0);
+    let unbalanced = balance(&mesh, Sharing::Vertex, level).into_iter().map(|finding| finding.message);
+    assert_eq!(measures.balance, 2);
+    assert!(unbalanced.into_iter().any(|message| message.ends_with("levels 0 and 2")));
 }
 
 /// Around a disk it is known where a mesh of 10^15 faces would have its vertices.
