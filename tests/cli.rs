@@ -43,7 +43,7 @@ fn unknown_words_are_refused() {
         ("info grid.obj torus.off", "torus.off"),
         ("select grid.obj", "--select"),
         ("subdivide grid.obj -o o.obj --scheme doo-sabin --levels 1 --method uniform", "modified-butterfly"),
-        ("subdivide grid.obj -o o.obj --scheme loop --levels 1 --method red-green", "incremental"),
+        ("subdivide grid.obj -o o.obj --scheme loop --levels 1 --method greedy", "incremental"),
         ("subdivide grid.obj -o o.obj --scheme loop --levels x --method uniform", "--levels"),
         ("subdivide grid.obj -o o.obj --scheme loop --levels -1 --method uniform", "0..=255"),
         ("subdivide grid.obj -o o.obj --scheme loop --levels 4000000000 --method uniform", "0..=255"),
