@@ -18,7 +18,7 @@ use crate::scheme::Reach;
 use crate::select::Selection;
 use crate::split::hierarchy::{Levels, Shown};
 use crate::split::quadrisect::{Closing, Plan};
-use crate::step::{Cause, Exactness, History, Proof, Spoiler};
+use crate::step::{Cause, Exactness, History, Proof, Refinement, Spoiler};
 
 /// What is proven of the vertices of a mesh.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ enum Source<'a> {
     /// Facts that steps handed on, so many of them.
     Facts(&'a Exactness, usize),
     /// Levels at which stars are complete, after so many steps.
-    Levels(Levels<'a>, usize),
+    Levels(&'a Refinement, usize),
 }
 
 impl<'a> Certificate<'a> {
@@ -42,7 +42,7 @@ impl<'a> Certificate<'a> {
     pub fn new(mesh: &'a Mesh, history: &'a History) -> Option<Self> {
         let (exactness, steps) = (history.exactness()?, history.step_count());
         let proof = match history.refinement() {
-            Some(refinement) => Source::Levels(Levels::new(mesh.rotation(), &refinement.hierarchy), steps),
+            Some(refinement) => Source::Levels(refinement, steps),
             None => Source::Facts(exactness, steps),
         };
         Some(Self { mesh, proof })
@@ -57,7 +57,7 @@ impl<'a> Certificate<'a> {
     pub fn exact_level(&self, v: VertexId) -> Option<usize> {
         match self.proof {
             Source::Facts(exactness, steps) => exactness.holds(Proof::Position, v).then_some(steps),
-            Source::Levels(levels, _) => Some(usize::from(Shown::new(levels, v).1.level)),
+            Source::Levels(refinement, _) => Some(usize::from(self.shown(refinement, v).level(refinement.goes_back))),
         }
     }
 
@@ -70,8 +70,15 @@ impl<'a> Certificate<'a> {
     pub fn is_certified(&self, v: VertexId) -> bool {
         match self.proof {
             Source::Facts(exactness, _) => is_certified(exactness, self.mesh, v),
-            Source::Levels(_, steps) => self.mesh.ring(v).iter().chain([v]).all(|w| self.exact_level(w) == Some(steps)),
+            Source::Levels(refinement, steps) => {
+                usize::from(self.shown(refinement, v).star_level) == steps
+                    && self.mesh.ring(v).iter().all(|w| self.exact_level(w) == Some(steps))
+            }
         }
+    }
+
+    fn shown(&self, refinement: &Refinement, v: VertexId) -> Shown {
+        Shown::new(Levels::new(self.mesh.rotation(), &refinement.hierarchy), v).1
     }
 
     /// All certified vertices, by id. O(edges).

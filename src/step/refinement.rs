@@ -17,7 +17,7 @@ pub(crate) struct Refinement {
     pub(crate) input_tags: Tags,
     /// The name of the scheme that made it.
     pub(crate) scheme: &'static str,
-    /// Whether stars are asked for, so that they can be given up again.
+    /// Whether stars are asked for, not triangles, so that they can be given up again.
     pub(crate) goes_back: bool,
     /// Whether any were.
     pub(crate) gave_up: bool,

@@ -271,8 +271,8 @@ impl Subdivider {
     /// a triangle of a level is split, all triangles of that level around its corners are made.
     ///
     /// So what new vertices are made of is always that of a uniform mesh: whatever the selections are, every vertex is where
-    /// uniform refinement of some number of levels has it, bit for bit
-    /// ([`Certificate::exact_level`](crate::certify::Certificate::exact_level)), and triangles that share a vertex differ by at
+    /// uniform refinement of some number of levels has it, bit for bit: of as many as the finest triangle at it
+    /// ([`Certificate::exact_level`](crate::certify::Certificate::exact_level)). Triangles that share a vertex differ by at
     /// most one level. Source: `[incremental]`, `[zorin1997]`.
     ///
     /// # Errors

@@ -121,13 +121,14 @@ mod tests {
             assert_eq!(self.rotation.validate_triangles(), []);
             let mut found: BTreeSet<Triangle> = self.rotation.triangles().collect();
             let count = found.len();
-            let mut greatest: BTreeMap<VertexId, u8> = BTreeMap::new();
+            let mut extremes: BTreeMap<VertexId, (u8, u8)> = BTreeMap::new();
             let mut closed = 0;
             for (corners, level) in self.leaves() {
                 let [a, b, c] = corners;
                 assert_eq!(self.hierarchy.level_of(corners), level);
                 for v in corners {
-                    greatest.entry(v).and_modify(|least| *least = level.min(*least)).or_insert(level);
+                    let (least, greatest) = extremes.entry(v).or_insert((level, level));
+                    (*least, *greatest) = (level.min(*least), level.max(*greatest));
                 }
                 let mut take = |p, q, r| assert!(found.remove(&Triangle::new(p, q, r)), "{corners:?}");
                 for (a, b, c) in [(a, b, c), (b, c, a), (c, a, b)] {
@@ -158,7 +159,9 @@ mod tests {
             assert_eq!((found.len(), self.rotation.triangle_count()), (2 * two_split, count));
             assert_eq!(self.rotation.edges().filter(|edge| self.hierarchy.is_closing(edge.ends())).count(), closed);
             for (&v, shown) in &self.shown {
-                assert_eq!(shown.level, self.hierarchy.level(v).max(greatest.get(&v).copied().unwrap_or(0)));
+                let (least, greatest) = extremes.get(&v).copied().unwrap_or_default();
+                assert_eq!(shown.star_level, self.hierarchy.level(v).max(least));
+                assert_eq!(shown.leaf_level, self.hierarchy.level(v).max(greatest));
                 let closing = self.rotation.neighbors(v).iter().filter(|&&w| self.hierarchy.is_closing([v, w]));
                 assert!(shown.closing <= closing.count() && (shown.hangs || self.hierarchy.contains(v)));
             }

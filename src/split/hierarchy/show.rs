@@ -65,7 +65,9 @@ fn reach(hierarchy: &Hierarchy, x: VertexId, mut visit: impl FnMut(VertexId)) {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Shown {
     /// The greatest level at which its star is complete; if it is at none, that of its birth.
-    pub(crate) level: u8,
+    pub(crate) star_level: u8,
+    /// The greatest level of a leaf with this corner.
+    pub(crate) leaf_level: u8,
     /// How many of its edges close cracks.
     pub(crate) closing: usize,
     /// Whether it lies on an edge of a triangle that is not split.
@@ -75,14 +77,24 @@ pub(crate) struct Shown {
 impl Shown {
     /// The ring of a vertex, and how it is shown beside that. O(valence · levels).
     pub(crate) fn new(levels: Levels<'_>, v: VertexId) -> (RingBuf, Self) {
-        let mut leaf_level = None;
+        let birth_level = levels.hierarchy().level(v);
+        let (mut least, mut greatest) = (None, birth_level);
         let take_leaf = |leaf| {
             let level = levels.hierarchy().level_of(leaf);
-            leaf_level = Some(leaf_level.map_or(level, |least: u8| least.min(level)));
+            least = Some(least.map_or(level, |least: u8| least.min(level)));
+            // Of a leaf that it hangs on it is no corner, but that is older.
+            greatest = greatest.max(level);
         };
         let Entries { list, open, closing, hangs, .. } = Entries::of(levels, v, take_leaf);
-        let level = levels.hierarchy().level(v).max(leaf_level.unwrap_or(0));
-        (RingBuf::collect(list.into_iter(), open), Self { level, closing, hangs })
+        let star_level = birth_level.max(least.unwrap_or(0));
+        let shown = Self { star_level, leaf_level: greatest, closing, hangs };
+        (RingBuf::collect(list.into_iter(), open), shown)
+    }
+
+    /// The level at which it stands. Where stars are asked for, that of its star; where triangles are, that of the finest at
+    /// it, so that all of a triangle that was split is where uniform refinement has it.
+    pub(crate) fn level(&self, asks_for_stars: bool) -> u8 {
+        if asks_for_stars { self.star_level } else { self.leaf_level }
     }
 }
 

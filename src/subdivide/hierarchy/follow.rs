@@ -9,7 +9,7 @@ use super::Change;
 use super::patch::{Center, Patch, View};
 use crate::id::VertexId;
 use crate::scheme::{MaskSink, Scheme};
-use crate::split::hierarchy::{Growth, Shown};
+use crate::split::hierarchy::Growth;
 use crate::subdivide::ValueId;
 use crate::subdivide::follow::MaskWriter;
 
@@ -58,7 +58,7 @@ pub(super) fn show<S: Scheme>(
         masks.next_pass();
     }
     for &v in change.changed.iter().filter(|&&v| view.has_moved(v)) {
-        let (_, shown) = Shown::new(view.levels, v);
-        masks.assign_value(ValueId::Shown(v), &[], |mask| mask.group(1.0, [ValueId::Kept(v, shown.level)]));
+        let level = view.shown_level(v);
+        masks.assign_value(ValueId::Shown(v), &[], |mask| mask.group(1.0, [ValueId::Kept(v, level)]));
     }
 }

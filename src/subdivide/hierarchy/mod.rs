@@ -9,7 +9,8 @@
 //! born at l on an edge at w, as every edge of level l ≥ 1 has an end born there; the star of p was made of triangles with
 //! the corner w, so that of w at l − 1 is complete. ∎
 //!
-//! A vertex is shown where it is at the greatest level at which its star is complete, and if it is at none, where it was born.
+//! Where stars are asked for a vertex is shown where it is at the greatest level at which its star is complete, and if it is at
+//! none, where it was born; where triangles are, at the level of the finest with this corner.
 //!
 //! **Deliberately not here**: rings, restriction and closing ([`crate::split`]), weights ([`crate::scheme`]).
 
@@ -173,11 +174,12 @@ fn show_change(mesh: &mut Mesh, refinement: &Refinement, changed: &[VertexId], s
     let (rotation, positions, tags) = mesh.parts_mut();
     let mut change = Change::default();
     show(rotation, &refinement.hierarchy, changed, scratch, |v, shown| {
-        if let Some(position) = refinement.places.at(v, shown.level) {
+        let level = shown.level(refinement.goes_back);
+        if let Some(position) = refinement.places.at(v, level) {
             positions[v.index()] = position;
         }
         if refinement.input_tags.vertex_sharpness(v).is_semi_sharp() {
-            tags.set_vertex_sharpness(v, of_vertex(&refinement.input_tags, v, shown.level));
+            tags.set_vertex_sharpness(v, of_vertex(&refinement.input_tags, v, level));
         }
         change.changed.push(v);
         if shown.hangs {

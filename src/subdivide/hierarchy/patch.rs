@@ -7,7 +7,7 @@ use crate::id::{Edge, VertexId};
 use crate::mesh::{Neighborhood, Tags};
 use crate::rotation::{Ring, RingBuf, RotationSystem};
 use crate::scheme::{Mask, MaskSink, Reach, Scheme, WeightedSum};
-use crate::split::hierarchy::Levels;
+use crate::split::hierarchy::{Levels, Shown};
 use crate::step::{Parent, Places, Refinement};
 use crate::subdivide::ValueId;
 use crate::subdivide::follow::Named;
@@ -20,6 +20,7 @@ pub(super) struct View<'a> {
     pub(super) tags: LevelTags<'a>,
     places: &'a Places,
     positions: &'a [DVec3],
+    asks_for_stars: bool,
 }
 
 impl<'a> View<'a> {
@@ -27,12 +28,17 @@ impl<'a> View<'a> {
     pub(super) fn new(rotation: &'a RotationSystem, positions: &'a [DVec3], refinement: &'a Refinement) -> Self {
         let levels = Levels::new(rotation, &refinement.hierarchy);
         let tags = LevelTags::new(levels, &refinement.input_tags);
-        Self { levels, tags, places: &refinement.places, positions }
+        Self { levels, tags, places: &refinement.places, positions, asks_for_stars: refinement.goes_back }
     }
 
     /// Whether a vertex has moved, so that it is known where it is at each of its levels.
     pub(super) fn has_moved(self, v: VertexId) -> bool {
         self.places.at(v, u8::MAX).is_some()
+    }
+
+    /// The level at which a vertex is shown.
+    pub(super) fn shown_level(self, v: VertexId) -> u8 {
+        Shown::new(self.levels, v).1.level(self.asks_for_stars)
     }
 
     /// Where a vertex is at a level.
