@@ -82,8 +82,8 @@ pub(super) fn of_whole<S: Scheme + Sync>(
     control: &mut Control<'_>,
 ) -> Result<Vec<DVec3>, RefineError> {
     let (around, old) = (mesh.neighborhood().with_hubs(split.numbers().hubs()), mesh.positions());
-    let even = |v| even(scheme, around, old, v);
-    let odd = |parent| odd(scheme, around, old, &parent);
+    let even = move |v| even(scheme, around, old, v);
+    let odd = move |parent| odd(scheme, around, old, &parent);
     whole::positions(split, old, scheme.moves_even().then_some(even), odd, |parent| parent.p, control)
 }
 

@@ -21,6 +21,8 @@ pub(super) fn is_plain(request: &Request<'_, '_>) -> bool {
 
 /// The positions after a split of everything, the old vertices first: `even` makes those of old vertices, if they move, and
 /// `odd` those of new ones, of which `blamed` names a vertex that they are made of.
+// Inlined, so that what the functions hold is not read again for every position.
+#[inline]
 pub(super) fn positions<W: WholeSplit>(
     whole: &W,
     old: &[DVec3],
