@@ -37,7 +37,7 @@ impl Scheme for Butterfly {
         Reach::BothStars
     }
 
-    #[inline]
+    #[inline(always)]
     fn odd(&self, around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
         eight_point(around, parent, mask);
     }
@@ -64,7 +64,7 @@ impl Wing {
 /// Writes the 8-point mask.
 ///
 /// Opposite corners and wings come counter-clockwise from `p`'s left, so the order of summing does not depend on ids.
-#[inline]
+#[inline(always)]
 pub(super) fn eight_point(around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
     match regular_ends(around, parent) {
         Some(ends) => regular_eight_point(ends, parent, mask),
@@ -79,7 +79,7 @@ pub(super) fn regular_ends<'a>(around: Neighborhood<'a>, parent: &Parent) -> Opt
 }
 
 /// The 8-point mask between two regular vertices, in the order of [`eight_point`].
-#[inline]
+#[inline(always)]
 pub(super) fn regular_eight_point([at_p, at_q]: [Regular<'_>; 2], parent: &Parent, mask: &mut impl MaskSink) {
     let Parent { p, q, left, right } = *parent;
     let ([right_wing_p, left_wing_p], [left_wing_q, right_wing_q]) = (at_p.two_off(q), at_q.two_off(p));

@@ -180,7 +180,7 @@ impl Scheme for Loop {
         Reach::OneStar
     }
 
-    #[inline]
+    #[inline(always)]
     fn even(&self, around: Neighborhood<'_>, v: VertexId, mask: &mut impl MaskSink) {
         if !around.has_no_tags() && around.is_semi_sharp(v) {
             let Blend { center, neighbor, crease } = self.semi_sharp(around, v);
@@ -208,7 +208,7 @@ impl Scheme for Loop {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn odd(&self, around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
         let Parent { p, q, left, right } = *parent;
         match (left, right) {

@@ -23,7 +23,7 @@ impl Scheme for Midpoint {
         Reach::Ends
     }
 
-    #[inline]
+    #[inline(always)]
     fn odd(&self, _around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
         mask.group(0.5, [parent.p, parent.q]);
     }

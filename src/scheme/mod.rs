@@ -51,6 +51,10 @@ pub enum Reach {
 }
 
 /// A set of masks for the split of a triangle in four.
+///
+/// A step asks for a mask a vertex, in loops that are compiled for each scheme; so masks are short, what is rare stands in
+/// functions of its own, and both methods that write masks are always inlined: a compiler left to choose counts how often a
+/// method is named, and not that one of the loops takes all the time (a tenth more instructions for a step of Loop).
 pub trait Scheme {
     /// Whether even vertices move. If not, [`Scheme::even`] is never asked.
     fn moves_even(&self) -> bool;

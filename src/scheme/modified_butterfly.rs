@@ -52,7 +52,7 @@ impl Scheme for ModifiedButterfly {
         Reach::BothStars
     }
 
-    #[inline]
+    #[inline(always)]
     fn odd(&self, around: Neighborhood<'_>, parent: &Parent, mask: &mut impl MaskSink) {
         // Most of a refined mesh is like this, and the table then says the same.
         match regular_ends(around, parent) {

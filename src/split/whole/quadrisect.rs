@@ -153,17 +153,19 @@ impl WholeSplit for Whole<'_> {
 
     #[inline]
     fn each_new(&self, v: VertexId, mut take: impl FnMut(Parent)) {
-        let Own { slots, told: inward, .. } = self.numbers.of(v);
-        if let Some(threes) = self.rotation.regular(v).map(Regular::threes) {
-            for slot in slots {
-                let [right, w, left] = threes.at(slot);
-                take(Parent::read(v, w, [Some(left), Some(right)], inward.contains(slot)));
-            }
-            return;
-        }
-        let mut slots = 0..;
+        let Own { mut slots, told: inward, .. } = self.numbers.of(v);
+        let regular = self.rotation.regular(v).map(Regular::threes);
+        let mut irregular = 0..;
         for _ in self.numbers.range(v) {
-            take(self.irregular_parent(v, &mut slots));
+            // Handed over in one place: with two, what takes it would not become a part of this loop.
+            take(match &regular {
+                Some(threes) => {
+                    let slot = slots.next().expect("there is one for each edge");
+                    let [right, w, left] = threes.at(slot);
+                    Parent::read(v, w, [Some(left), Some(right)], inward.contains(slot))
+                }
+                None => self.irregular_parent(v, &mut irregular),
+            });
         }
     }
 
