@@ -12,7 +12,10 @@ use crate::step::{History, SplitKind};
 /// From which faces the faces of a refined mesh descend.
 ///
 /// Nothing is kept of a face: where its corners come from tells the face before in which it lies, and so on back. 12 bytes
-/// a new vertex, and under √3 one more a vertex.
+/// a new vertex, and under √3 and on a hierarchy one more a vertex.
+///
+/// On a hierarchy steps take back what closes cracks, and make several levels at once. There a face is traced back from level
+/// to level instead, for which all steps on it count as one.
 ///
 /// # √3
 /// Two steps make nine faces of one, and those lie in it; but in between an edge is turned and each of the two faces
@@ -22,13 +25,15 @@ use crate::step::{History, SplitKind};
 /// border between two labels is, after every second step, the old border cut in three.
 #[derive(Clone, Debug)]
 pub(super) struct Ancestry {
-    /// How many vertices there were at the start, and after each step.
+    /// How many vertices there were at the start, and after each step; after the last of those on one hierarchy.
     starts: Vec<usize>,
     /// Of every vertex made since the start what it was made of: the ends of an edge, the last twice, or a triangle,
     /// counter-clockwise; under √3 always the triangle.
     homes: Vec<[VertexId; 3]>,
-    /// The birth levels of all vertices, after the first step of √3.
+    /// The birth levels of all vertices, after the first step of √3; or on hierarchies, each with levels of its own, up to the
+    /// last vertex that was made on one.
     levels: Vec<u8>,
+    is_trisected: bool,
     /// The triangle at each boundary edge in which the two vertices that cut it in three would be made.
     at_boundary: HashMap<Edge, [VertexId; 3]>,
 }
@@ -42,12 +47,18 @@ impl Ancestry {
             Some((Edge::new(v, w), [v, w, corner]))
         });
         let at_boundary = boundary.collect();
-        Self { starts: vec![mesh.vertex_count()], homes: Vec::new(), levels: Vec::new(), at_boundary }
+        Self {
+            starts: vec![mesh.vertex_count()],
+            homes: Vec::new(),
+            levels: Vec::new(),
+            is_trisected: false,
+            at_boundary,
+        }
     }
 
     /// Whether there were steps of √3.
     pub(super) fn is_trisected(&self) -> bool {
-        !self.levels.is_empty()
+        self.is_trisected
     }
 
     /// Takes the vertices that a step made; the history is the one after it.
@@ -61,10 +72,17 @@ impl Ancestry {
             self.homes.extend(splits.made().map(|(_, made_of)| made_of));
         }
         let count = self.starts[0] + self.homes.len();
+        let hierarchy = history.hierarchy();
+        if hierarchy.is_some_and(|hierarchy| self.starts.iter().rev().nth(1) == Some(&hierarchy.input_count())) {
+            self.starts.pop();
+        }
         self.starts.push(count);
-        if kind == SplitKind::Trisect {
-            let new = self.levels.len()..count;
-            self.levels.extend(new.map(|v| history.level(VertexId::new(v)).unwrap_or(0)));
+        let new = (self.levels.len()..count).map(VertexId::new);
+        if let Some(hierarchy) = hierarchy {
+            self.levels.extend(new.map(|v| hierarchy.level(v)));
+        } else if kind == SplitKind::Trisect {
+            self.is_trisected = true;
+            self.levels.extend(new.map(|v| history.level(v).unwrap_or(0)));
         }
     }
 
@@ -124,17 +142,19 @@ impl Ancestry {
         self.homes[v.index() - self.starts[0]]
     }
 
-    /// The corners of the face that the step made a face of by which its newest corner was made.
+    /// The corners of the face that the step made a face of by which its newest corner was made; on a hierarchy the level.
     ///
     /// A step leaves a face as it is, or makes faces of it that all have a new corner. New corners lie in the old face or
     /// on its edges, and with all that they were made of its three corners come out.
     fn before_step(&self, corners: [VertexId; 3]) -> [VertexId; 3] {
-        let newest = corners.into_iter().max().expect("there are three");
-        let step = self.starts.partition_point(|&start| start <= newest.index());
-        let start = self.starts[step - 1];
+        let ages = corners.map(|v| {
+            let step = self.starts.partition_point(|&start| start <= v.index());
+            (step, self.levels.get(v.index()).copied().unwrap_or(0))
+        });
+        let newest = ages.into_iter().max();
         let mut old: SmallVec<[VertexId; 9]> = SmallVec::new();
-        for v in corners {
-            if v.index() < start {
+        for (v, age) in corners.into_iter().zip(ages) {
+            if Some(age) < newest {
                 old.push(v);
             } else {
                 old.extend(self.home(v));
@@ -235,7 +255,13 @@ mod tests {
         let [a, b, c, d, e, x, y] = [0, 1, 2, 3, 4, 5, 6].map(VertexId::new);
         // 4 on 0-1, then 5 on 0-4 and 6 on 4-2.
         let homes = vec![[a, b, b], [a, e, e], [e, c, c]];
-        let ancestry = Ancestry { starts: vec![4, 5, 7], homes, levels: Vec::new(), at_boundary: HashMap::new() };
+        let ancestry = Ancestry {
+            starts: vec![4, 5, 7],
+            homes,
+            levels: Vec::new(),
+            is_trisected: false,
+            at_boundary: HashMap::new(),
+        };
         let traced = |vertex_count, face| {
             let [mut face, other] = ancestry.faces_among(vertex_count, face);
             assert_eq!(face, other);

@@ -19,7 +19,8 @@
 //! boundary. The charts are refined all the same, by the boundary rule of √3, and with the next step its faces have
 //! values again. [`Attributes::faces_across_seams`] and [`Attributes::faces_across_labels`] count what lies across.
 //!
-//! Only red-green refinement, which takes faces back, refuses corner channels and labels.
+//! On a hierarchy faces that close cracks are taken back, and their charts with them: the charts are a hierarchy of their own,
+//! split where that of the mesh is. What the mesh shows at some level has the values of that level.
 //!
 //! Read in this order: [`Channel`], [`Blend`], [`Attributes`], [`ObjAttributes`] (the same for what an OBJ file says).
 //!
@@ -96,6 +97,8 @@ pub struct Attributes {
     labels: Vec<FaceLabels>,
     /// Since the first labels were added.
     ancestry: Option<Ancestry>,
+    /// How many vertices the mesh had when something was last said of its faces.
+    faces_of: usize,
 }
 
 /// A corner channel: the chart mesh, and a value at each of its vertices.
@@ -179,6 +182,7 @@ impl Attributes {
             let labels: Vec<u32> = corners.iter().map(|values| u32::from(values.is_some())).collect();
             self.labels_of(mesh, String::new(), &labels)
         });
+        self.faces_of = mesh.vertex_count();
         self.corner.push(CornerChannel { values: channel.gathered(&value_of), chart, has_values });
         Ok(())
     }
@@ -195,6 +199,7 @@ impl Attributes {
     }
 
     fn labels_of(&mut self, mesh: &Mesh, name: String, labels: &[u32]) -> FaceLabels {
+        self.faces_of = mesh.vertex_count();
         self.ancestry.get_or_insert_with(|| Ancestry::new(mesh));
         FaceLabels::new(name, mesh, labels)
     }
@@ -254,8 +259,8 @@ impl Attributes {
     ///
     /// # Errors
     /// Those of [`Subdivider::step`], among them [`RefineError::JoinedLate`] for a channel that follows the scheme and was
-    /// added too late; and [`RefineError::Unfollowed`] for labels of faces and corner channels under red-green refinement,
-    /// which takes faces back. The attributes are then as before, like the mesh.
+    /// added too late; or for labels of faces and corner channels that were added to a hierarchy after its first step, of
+    /// which some faces may be taken back. The attributes are then as before, like the mesh.
     ///
     /// # Panics
     /// If the mesh is not the one that the attributes were added to, or was edited between steps; if a chart mesh would
@@ -263,7 +268,7 @@ impl Attributes {
     ///
     /// # Complexity
     /// O(region), as the step itself. For each corner channel also O(sharp edges of the mesh) if some were tagged since
-    /// the last step or that was by a scheme which does not read tags; and under √3 O(what waits for the next step at
+    /// the last step or that was on a hierarchy or by a scheme which does not read tags; and under √3 O(what waits for the next step at
     /// seams where regions end).
     pub fn step(
         &mut self,
@@ -277,10 +282,10 @@ impl Attributes {
         if self.is_empty() {
             return subdivider.step(mesh, history, selection, scratch, control);
         }
-        if subdivider.takes_back() && !(self.corner.is_empty() && self.labels.is_empty()) {
-            return Err(RefineError::Unfollowed { asked: "red-green refinement" });
-        }
-        if self.corner.iter().any(|CornerChannel { values, chart, .. }| chart.joined_late(values)) {
+        // What was said of faces that the step takes back would be said of none.
+        let begun = history.hierarchy().filter(|_| subdivider.is_on_hierarchy());
+        let joined_late = begun.is_some_and(|hierarchy| hierarchy.input_count() < self.faces_of);
+        if joined_late || self.corner.iter().any(|CornerChannel { values, chart, .. }| chart.joined_late(values)) {
             return Err(RefineError::JoinedLate);
         }
         let kind = subdivider.scheme().split_kind();
@@ -344,8 +349,10 @@ struct Splits {
     first: usize,
     /// What new vertices were made of, in the order of those.
     parents: Vec<[VertexId; 3]>,
-    /// The old vertices that were moved, ascending if the step has one pass.
+    /// The vertices that were moved, new ones if it was after they were made; ascending if the step has one pass.
     moved: Vec<VertexId>,
+    /// The values that are kept beside those of the vertices and were made anew, in order.
+    kept: Vec<(VertexId, u8)>,
     /// Whether new vertices between two that were not moved are midpoints.
     some_stay: bool,
 }
@@ -373,7 +380,7 @@ struct Watch<'a, 'f> {
     channels: &'a mut [Channel],
     splits: Splits,
     kind: SplitKind,
-    /// Which old vertices keep their values; of those behind its end none.
+    /// Which vertices keep their values, and are made linearly if they are new; of those behind its end none.
     is_fixed: &'a [bool],
     /// What becomes of new values on a boundary.
     seams: Seams,
@@ -393,12 +400,17 @@ impl<'a> Watch<'a, '_> {
         Self { is_fixed, seams, ..Self::new(std::slice::from_mut(values), kind) }
     }
 
+    fn is_fixed(&self, v: VertexId) -> bool {
+        self.is_fixed.get(v.index()).is_some_and(|&is_fixed| is_fixed)
+    }
+
     /// The value of a new vertex.
-    fn odd(&self, channel: &Channel, mask: &Mask<ValueId>, parents: &[VertexId]) -> DVec4 {
+    fn odd(&self, channel: &Channel, mask: &Mask<ValueId>, v: VertexId, parents: &[VertexId]) -> DVec4 {
         // The mask of 4-8 on a boundary is linear itself.
         let is_third = self.kind == SplitKind::Trisect && parents.len() == 2;
+        let is_linear = self.is_fixed(v) || (is_third && self.seams == Seams::Linear);
         match channel.blend() {
-            Blend::Scheme if !(is_third && self.seams == Seams::Linear) => mask.apply(|id| channel.at(id)),
+            Blend::Scheme if !is_linear => mask.apply(|id| channel.at(id)),
             _ => channel.without_mask(parents, self.kind),
         }
     }
@@ -432,22 +444,23 @@ type Made = SmallVec<[Option<DVec4>; 2]>;
 impl Watch<'_, '_> {
     /// Notes what was split and what moved.
     fn note(&mut self, id: ValueId, parents: &[VertexId]) {
-        let ValueId::Shown(v) = id else { return };
-        if let [first, second, ..] = *parents {
-            self.splits.parents[v.index() - self.splits.first] = [first, second, parents[parents.len() - 1]];
-        } else if v.index() < self.splits.first {
-            self.splits.moved.push(v);
+        match (id, parents) {
+            (ValueId::Kept(v, k), _) => self.splits.kept.push((v, k)),
+            (ValueId::Shown(v), &[first, second, ..]) => {
+                self.splits.parents[v.index() - self.splits.first] = [first, second, parents[parents.len() - 1]];
+            }
+            (ValueId::Shown(v), _) => self.splits.moved.push(v),
         }
     }
 
     fn make(&mut self, id: ValueId, parents: &[VertexId], mask: &Mask<ValueId>) -> Made {
         self.note(id, parents);
-        if !parents.is_empty() {
-            return self.channels.iter().map(|channel| Some(self.odd(channel, mask, parents))).collect();
-        }
         let (ValueId::Shown(v) | ValueId::Kept(v, _)) = id;
-        let is_fixed = self.is_fixed.get(v.index()).is_some_and(|&is_fixed| is_fixed);
-        let moves = |channel: &Channel| channel.blend() == Blend::Scheme && !(is_fixed && id == ValueId::Shown(v));
+        if !parents.is_empty() {
+            return self.channels.iter().map(|channel| Some(self.odd(channel, mask, v, parents))).collect();
+        }
+        let is_fixed = self.is_fixed(v) && id == ValueId::Shown(v);
+        let moves = |channel: &Channel| channel.blend() == Blend::Scheme && !is_fixed;
         self.channels.iter().map(|channel| moves(channel).then(|| mask.apply(|id| channel.at(id)))).collect()
     }
 

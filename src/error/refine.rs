@@ -51,7 +51,7 @@ pub enum RefineError {
     OtherPositions,
     /// What goes along with the mesh was not there before, and the step reads values that earlier ones kept: adaptive √3 from
     /// the second step on, 4-8 where triangles of several generations meet. Or, on a hierarchy, something was given up before,
-    /// which nothing follows.
+    /// which nothing follows; or something is said of faces that were made on it, and may be taken back.
     JoinedLate,
     /// In one run, steps on a hierarchy of another method, or of another kind than those before.
     OtherHistory,
@@ -60,11 +60,6 @@ pub enum RefineError {
         /// The scheme that made them.
         made: &'static str,
         /// The one that was asked for.
-        asked: &'static str,
-    },
-    /// Attributes of faces or their corners cannot be taken along by a step that cuts triangles in this way.
-    Unfollowed {
-        /// How it does.
         asked: &'static str,
     },
     /// A selection names a vertex that does not exist.
@@ -116,10 +111,6 @@ impl fmt::Display for RefineError {
                 f,
                 "the step reads values that earlier steps kept, and what goes along was not there; take it along from the \
                  first step, or begin a new history with the mesh as it is"
-            ),
-            Self::Unfollowed { asked } => write!(
-                f,
-                "labels of faces and values at their corners are not taken along by {asked}; leave them behind"
             ),
             Self::OtherHistory => write!(
                 f,

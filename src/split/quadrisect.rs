@@ -42,6 +42,11 @@ impl SplitEdge {
     pub(crate) fn ends(&self) -> [VertexId; 2] {
         [self.p, self.q]
     }
+
+    #[inline]
+    pub(crate) fn edge(&self) -> Edge {
+        Edge::new(self.p, self.q)
+    }
 }
 
 /// What a step will do to the topology: the new vertices, numbered from `first` in the order of `edges`.

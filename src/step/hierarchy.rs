@@ -77,6 +77,11 @@ impl Hierarchy {
         self.input_count + self.births.len()
     }
 
+    /// How many vertices the input has.
+    pub(crate) fn input_count(&self) -> usize {
+        self.input_count
+    }
+
     /// Whether nothing is split.
     pub(crate) fn is_input_alone(&self) -> bool {
         self.births.is_empty()

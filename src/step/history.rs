@@ -208,6 +208,13 @@ impl History {
         self.refinement.as_deref()
     }
 
+    /// The hierarchy, if the last step was one on such.
+    pub(crate) fn hierarchy(&self) -> Option<&Hierarchy> {
+        let red_green = self.red_green.as_ref().filter(|(step, _)| *step == self.step_count());
+        let refinement = self.refinement.as_ref().map(|refinement| &refinement.hierarchy);
+        refinement.or_else(|| red_green.map(|(_, hierarchy)| &**hierarchy))
+    }
+
     /// The greatest valence of the mesh, after any of its steps under √3 and on a hierarchy, where valences fall again. O(1).
     #[must_use]
     pub fn max_valence(&self) -> usize {

@@ -27,6 +27,7 @@ mod values;
 mod whole;
 
 pub use follow::{Assignment, Follower, StepMasks, ValueId};
+pub(crate) use hierarchy::GrownOver;
 pub use hierarchy::{Change, Dynamic, Target};
 pub use mobile::MobileStep;
 pub use pairs::{AnyMethod, Promise, promise};
@@ -398,8 +399,8 @@ impl Subdivider {
         matches!(self.method, Method::Mobile(_))
     }
 
-    /// Whether a step takes edges back that one before it drew.
-    pub(crate) fn takes_back(&self) -> bool {
+    /// Whether its steps go on with what the hierarchy of a history holds.
+    pub(crate) fn is_on_hierarchy(&self) -> bool {
         matches!(self.method, Method::RedGreen | Method::OnHierarchy(_))
     }
 

@@ -3,6 +3,7 @@
 //! Such a mesh is the mesh below cut along some edges (see [`crate::attributes`]). It has no positions of its own: what a
 //! step makes of its values a follower sees.
 
+use super::hierarchy::GrownOver;
 use super::{Control, Subdivider, bisect, trisect};
 use crate::error::RefineError;
 use crate::id::Triangle;
@@ -13,6 +14,11 @@ use crate::split::bisect::Seed;
 use crate::step::History;
 
 impl Subdivider {
+    /// Shows the follower how values are made where a hierarchy has grown over that of the mesh below.
+    pub(crate) fn show_over(&self, grown: &GrownOver<'_>, control: &mut Control<'_>) {
+        grown.show(&self.scheme, control);
+    }
+
     /// Bisects what lies over what a step of 4-8 bisected. The history of the mesh has the blocks of the one below; new
     /// vertices come in the order of the seeds.
     pub(crate) fn bisect_over(

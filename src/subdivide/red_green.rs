@@ -41,7 +41,7 @@ pub(super) fn step<S: Scheme + Sync>(
             Request { mesh, history: &mut *history, selection, region: &region, scratch: &mut *scratch, control };
         quadrisection.refine_by(request, |mesh, plan, closing, scratch| {
             let (rotation, ..) = mesh.parts_mut();
-            let made = plan.odd().map(|(x, split)| (x, edge(split.ends())));
+            let made = plan.odd().map(|(x, split)| (x, split.edge()));
             red.split(rotation, &mut hierarchy, made);
             redraw(rotation, &hierarchy, plan, closing, scratch);
         })
@@ -52,10 +52,6 @@ pub(super) fn step<S: Scheme + Sync>(
     });
     history.keep_hierarchy(hierarchy);
     followed
-}
-
-fn edge([p, q]: [VertexId; 2]) -> Edge {
-    Edge::new(p, q)
 }
 
 /// The leaves with all corners in the selection; some come more than once.

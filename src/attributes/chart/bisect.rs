@@ -42,7 +42,7 @@ impl Chart {
         let control = &mut Control { follower: Some(&mut watch), ..Control::default() };
         let made = seeds.iter().map(|&(seed, _)| seed);
         subdivider.bisect_over(chart, history, made, scratch, control).expect("the step below was made");
-        self.lift(mesh.vertex_count(), seeds.into_iter().map(|(_, x)| x));
+        self.lift.extend(mesh.vertex_count(), seeds.into_iter().map(|(_, x)| x));
         self.fix_outline();
     }
 

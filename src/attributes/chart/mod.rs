@@ -2,11 +2,14 @@
 
 mod bisect;
 mod cut;
+mod hierarchy;
+mod lift;
 mod quadrisect;
 mod trisect;
 
 use cut::{Cutter, next};
 use glam::DVec3;
+use lift::Lift;
 use smallvec::SmallVec;
 use trisect::Waiting;
 
@@ -19,9 +22,6 @@ use crate::rotation::{RingBuf, RotationSystem};
 use crate::scratch::Scratch;
 use crate::step::{History, SplitKind};
 use crate::subdivide::Subdivider;
-
-/// In place of a chart vertex where a list ends.
-const END: u32 = u32::MAX;
 
 /// A mesh over a mesh: each of its vertices lies over a vertex of the mesh, each of its faces over a face.
 ///
@@ -37,11 +37,7 @@ pub(super) struct Chart {
     /// Of the chart vertices.
     history: History,
     seams: Seams,
-    /// The vertex of the mesh below each chart vertex.
-    base: Vec<VertexId>,
-    /// For each vertex of the mesh the last chart vertex over it, and for each chart vertex the one before; or [`END`].
-    last_over: Vec<u32>,
-    before: Vec<u32>,
+    lift: Lift,
     /// Which chart vertices keep their values.
     is_fixed: Vec<bool>,
     /// Chart vertices that must not move: several of the same value, over the same vertex.
@@ -68,7 +64,7 @@ impl Chart {
     pub(super) fn new(mesh: &Mesh, history: &History, values: &[Option<[u32; 3]>], seams: Seams) -> (Self, Vec<u32>) {
         let cutter = Cutter::new(mesh, values);
         let mut sectors = Vec::new();
-        let mut chart_of = vec![END; cutter.corners.len()];
+        let mut chart_of = vec![u32::MAX; cutter.corners.len()];
         let (mut base, mut value_of, mut pinned) = (Vec::new(), Vec::new(), Vec::new());
         for v in mesh.vertices() {
             let first = sectors.len();
@@ -97,49 +93,34 @@ impl Chart {
             mesh: Mesh::from_parts(rotation, vec![DVec3::ZERO; base.len()], mesh.tags().none()),
             history: history.lifted(&base),
             seams,
-            base: Vec::new(),
-            last_over: Vec::new(),
-            before: Vec::new(),
+            lift: Lift::default(),
             is_fixed: Vec::new(),
             pinned,
             tags_of: None,
             waiting: Waiting::default(),
         };
-        chart.lift(mesh.vertex_count(), base);
+        chart.lift.extend(mesh.vertex_count(), base);
         chart.fix_outline();
         chart.pinned.iter().for_each(|v| chart.is_fixed[v.index()] = true);
         chart.take_bisections(history);
         (chart, value_of)
     }
 
-    /// Says over which vertices of a mesh, which has this many, the last chart vertices lie.
-    fn lift(&mut self, vertex_count: usize, base: impl IntoIterator<Item = VertexId>) {
-        self.last_over.resize(vertex_count, END);
-        for v in base {
-            let chart_vertex = self.base.len() as u32;
-            self.before.push(std::mem::replace(&mut self.last_over[v.index()], chart_vertex));
-            self.base.push(v);
-        }
-    }
-
     /// Takes note of which new chart vertices keep their values.
     fn fix_outline(&mut self) {
-        let new = self.is_fixed.len()..self.base.len();
+        let new = self.is_fixed.len()..self.lift.len();
         let (rotation, keeps_outline) = (self.mesh.rotation(), self.seams == Seams::Linear);
         self.is_fixed.extend(new.map(|v| keeps_outline && rotation.is_boundary(VertexId::new(v))));
     }
 
     /// The vertex of the mesh below a chart vertex.
     pub(super) fn base(&self, chart_vertex: VertexId) -> VertexId {
-        self.base[chart_vertex.index()]
+        self.lift.base(chart_vertex)
     }
 
     /// The chart vertices over a vertex, the last made first.
     pub(super) fn over(&self, v: VertexId) -> impl Iterator<Item = VertexId> {
-        let some = |chart_vertex: u32| (chart_vertex != END).then_some(chart_vertex);
-        let before = move |&chart_vertex: &u32| some(self.before[chart_vertex as usize]);
-        let last = self.last_over.get(v.index()).and_then(|&last| some(last));
-        std::iter::successors(last, before).map(|id| VertexId::new(id as usize))
+        self.lift.over(v)
     }
 
     /// Tells the chart edges over an edge, none, one, or the two sides of a seam, each by an end and its slot there.
@@ -179,7 +160,7 @@ impl Chart {
 
     /// The chart as a mesh of its own, in the place of the mesh below.
     pub(super) fn lifted(&self, mesh: &Mesh) -> Mesh {
-        let positions = self.base.iter().map(|&v| mesh.position(v)).collect();
+        let positions = self.mesh.vertices().map(|v| mesh.position(self.base(v))).collect();
         Mesh::from_parts(self.mesh.rotation().clone(), positions, self.mesh.tags().clone())
     }
 
@@ -211,18 +192,18 @@ impl Chart {
         if tags.is_empty() {
             return;
         }
-        let new = (first..self.base.len()).map(VertexId::new);
+        let new = (first..self.lift.len()).map(VertexId::new);
         let halves = new.flat_map(|x| tags.sharp_neighbors(x).iter().map(move |&end| Edge::new(x, end)));
         let halves: Vec<Edge> = halves.collect();
         let moved: Vec<VertexId> = splits.moved.iter().flat_map(|&v| self.over(v)).collect();
-        let (base, pinned) = (&self.base, &self.pinned);
+        let (lift, pinned) = (&self.lift, &self.pinned);
         let tags = self.mesh.parts_mut().2;
         for half in halves {
-            let [a, b] = half.ends().map(|v| base[v.index()]);
+            let [a, b] = half.ends().map(|v| lift.base(v));
             tags.set_sharpness(half, below.sharpness(Edge::new(a, b)));
         }
         for v in moved.into_iter().filter(|v| pinned.binary_search(v).is_err()) {
-            let sharpness = below.vertex_sharpness(base[v.index()]);
+            let sharpness = below.vertex_sharpness(lift.base(v));
             if sharpness != tags.vertex_sharpness(v) {
                 tags.set_vertex_sharpness(v, sharpness);
             }
@@ -249,9 +230,12 @@ impl Chart {
 
     /// Does over the mesh what a step did to it.
     pub(super) fn follow(&mut self, done: &Done<'_>, values: &mut Channel, scratch: &mut Scratch) {
-        let first = self.base.len();
+        let first = self.lift.len();
         match done.subdivider.scheme().split_kind() {
-            SplitKind::Quadrisect => self.follow_quadrisection(done, values),
+            SplitKind::Quadrisect if done.history.refinement().is_some() => {
+                return self.follow_levels(done, values, scratch);
+            }
+            SplitKind::Quadrisect => self.follow_quadrisection(done, values, scratch),
             SplitKind::Trisect => self.follow_trisection(done, values, scratch),
             SplitKind::Bisect => self.follow_bisection(done, values, scratch),
         }

@@ -4,8 +4,11 @@ use glam::DVec3;
 
 use super::{Chart, Done};
 use crate::attributes::{Blend, Channel, Seams};
-use crate::id::{Edge, VertexId};
+use crate::id::VertexId;
+use crate::rotation::RotationSystem;
 use crate::scheme::{Scheme, with_scheme};
+use crate::scratch::Scratch;
+use crate::split::Quad;
 use crate::split::quadrisect::{self, Closing, Plan};
 use crate::step::SplitKind;
 
@@ -13,11 +16,8 @@ impl Chart {
     /// Splits the chart edges over the edges that a step split.
     ///
     /// Where a face has two split edges, the refined mesh tells which diagonal was drawn.
-    pub(super) fn follow_quadrisection(
-        &mut self,
-        &Done { subdivider, splits, mesh, .. }: &Done<'_>,
-        values: &mut Channel,
-    ) {
+    pub(super) fn follow_quadrisection(&mut self, done: &Done<'_>, values: &mut Channel, scratch: &mut Scratch) {
+        let &Done { subdivider, splits, mesh, .. } = done;
         let mut edges: Vec<(VertexId, usize)> = Vec::with_capacity(splits.len());
         let mut below: Vec<VertexId> = Vec::with_capacity(splits.len());
         for (x, [p, q, _]) in splits.made() {
@@ -26,7 +26,7 @@ impl Chart {
                 below.push(x);
             });
         }
-        let (mut plan, mut closing) = (Plan::default(), Closing::default());
+        let mut plan = Plan::default();
         quadrisect::plan_listed(&mut plan, self.mesh.rotation(), &self.history, edges.iter().copied());
 
         let around = self.mesh.neighborhood().with_hubs(plan.hubs());
@@ -54,19 +54,23 @@ impl Chart {
             });
         }, else unreachable!("other schemes split otherwise"));
 
-        self.lift(mesh.vertex_count(), below);
-        let Self { mesh: chart, base, .. } = self;
-        let (rotation, positions, tags) = chart.parts_mut();
+        self.lift.extend(mesh.vertex_count(), below);
+        let (rotation, _, tags) = self.mesh.parts_mut();
         if !tags.is_empty() {
-            for (x, edge) in plan.odd() {
-                let [p, q] = edge.ends();
-                tags.split(Edge::new(p, q), x);
+            for (x, split) in plan.odd() {
+                tags.split(split.edge(), x);
             }
         }
-        let is_drawn = |a: VertexId, b: VertexId| mesh.rotation().has_edge(base[a.index()], base[b.index()]);
-        quadrisect::apply(rotation, &plan, &mut closing, |quad, _| usize::from(!is_drawn(quad.ends[0], quad.odd[1])));
-        positions.resize(rotation.vertex_count(), DVec3::ZERO);
+        if subdivider.is_on_hierarchy() {
+            self.redraw(done, &plan, scratch);
+        } else {
+            let mut closing = Closing::default();
+            let is_drawn = |a, b| mesh.rotation().has_edge(self.lift.base(a), self.lift.base(b));
+            let diagonal = |quad: Quad, _: &RotationSystem| usize::from(!is_drawn(quad.ends[0], quad.odd[1]));
+            quadrisect::apply(rotation, &plan, &mut closing, diagonal);
+            self.history.record(kind, self.lift.len(), std::iter::empty(), &[], closing.max_valence);
+        }
+        self.mesh.parts_mut().1.resize(self.lift.len(), DVec3::ZERO);
         self.fix_outline();
-        self.history.record(kind, self.base.len(), std::iter::empty(), &[], closing.max_valence);
     }
 }

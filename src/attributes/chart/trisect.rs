@@ -62,7 +62,7 @@ impl Chart {
             let mut watch = Watch::over(values, SplitKind::Trisect, is_fixed, *seams);
             let control = &mut Control { follower: Some(&mut watch), ..Control::default() };
             subdivider.trisect_over(chart, history, triangles, scratch, control).expect("the step below was made");
-            self.lift(mesh.vertex_count(), cuts.iter().flat_map(Cut::below));
+            self.lift.extend(mesh.vertex_count(), cuts.iter().flat_map(Cut::below));
             self.fix_outline();
         }
     }
@@ -152,7 +152,7 @@ impl Chart {
 
     /// The boundary edge that is cut when a chart face is split next, with the face on its left; `None` if that is not so.
     fn boundary_mate(&self, [a, b, c]: [VertexId; 3]) -> Option<[VertexId; 2]> {
-        match Levels::before(&self.history, self.base.len(), Vec::new()).state(Triangle::new(a, b, c)) {
+        match Levels::before(&self.history, self.lift.len(), Vec::new()).state(Triangle::new(a, b, c)) {
             State::Odd { mate: [start, end], .. } if self.mesh.rotation().right_of(start, end).is_none() => {
                 Some([start, end])
             }

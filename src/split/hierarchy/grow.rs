@@ -6,7 +6,7 @@
 //!
 //! Source: `[zorin1997]` for restriction, `[incremental]` for its use with red-green refinement.
 
-use super::{Across, Levels};
+use super::Levels;
 use crate::error::RefineError;
 use crate::id::VertexId;
 use crate::rotation::RotationSystem;
@@ -58,7 +58,7 @@ pub(crate) struct Grower<'a> {
 }
 
 impl Grower<'_> {
-    fn levels(&self) -> Levels<'_> {
+    pub(crate) fn levels(&self) -> Levels<'_> {
         Levels::new(self.rotation, self.hierarchy)
     }
 
@@ -122,28 +122,22 @@ impl Grower<'_> {
         Ok(())
     }
 
-    /// Splits the edge `a -> b` of a triangle `a, b, c`, if it is not split yet.
-    fn split_edge(&mut self, [a, b, c]: [VertexId; 3]) -> Result<(), RefineError> {
+    /// Splits the edge `a -> b` of a triangle `a, b, c` as [`Grower::split`] does, if it is not split yet.
+    pub(crate) fn split_edge(&mut self, [a, b, c]: [VertexId; 3]) -> Result<(), RefineError> {
         if self.hierarchy.odd(a, b).is_some() {
             return Ok(());
         }
-        let right = match self.levels().across([a, b, c]) {
-            Across::Corner(right) => Some(right),
-            Across::Gap => None,
-            Across::Unmade(_) => unreachable!("the triangle across is of the same level"),
-        };
-        self.growth.added_faces += 1 + usize::from(right.is_some());
+        let birth = self.levels().birth([a, b, c]).ok_or(RefineError::TooDeep)?;
+        self.growth.added_faces += [birth.parent.left, birth.parent.right].iter().flatten().count();
         let needed = self.rotation.triangle_count() as u64 + self.growth.added_faces as u64;
         if let Some(allowed) = self.max_faces.filter(|&allowed| needed > allowed) {
             return Err(RefineError::TooManyFaces { needed, allowed });
         }
         let too_many = RefineError::TooManyVertices { needed: self.hierarchy.vertex_count() as u64 + 1 };
         let x = self.hierarchy.next_id().ok_or(too_many)?;
-        let level = self.hierarchy.level_of([a, b]).checked_add(1).ok_or(RefineError::TooDeep)?;
-        let parent = self.levels().parent([a, b], Some(c), right);
-        self.hierarchy.insert(x, Birth { level, parent });
+        self.hierarchy.insert(x, birth);
         self.growth.made.push(x);
-        self.growth.steps.push((x, level));
+        self.growth.steps.push((x, birth.level));
         Ok(())
     }
 }

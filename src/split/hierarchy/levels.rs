@@ -94,6 +94,22 @@ impl<'a> Levels<'a> {
         }
     }
 
+    /// The triangles around a vertex at the level of its birth, as far as they are made, each counter-clockwise from there.
+    /// O(valence · levels) for an input vertex, else O(1).
+    pub(crate) fn first_triangles(self, v: VertexId) -> Vec<[VertexId; 3]> {
+        let mut found = Vec::new();
+        match self.hierarchy.birth(v) {
+            None => found.extend(self.input_ring(v).as_ring().pairs().map(|(a, b)| [v, a, b])),
+            Some(birth) => {
+                for [b, a, c] in beside(&birth.parent).into_iter().flatten() {
+                    let side = [Some(a), self.hierarchy.odd(a, c), self.hierarchy.odd(b, c), Some(b)];
+                    found.extend(side.windows(2).filter_map(|pair| Some([v, pair[0]?, pair[1]?])));
+                }
+            }
+        }
+        found
+    }
+
     fn required_odd(self, a: VertexId, b: VertexId) -> VertexId {
         self.hierarchy.odd(a, b).expect("the star is complete at the levels before")
     }
@@ -145,8 +161,20 @@ impl<'a> Levels<'a> {
         }
     }
 
+    /// When and where a vertex is made that splits the edge `a -> b` of a triangle `a, b, c`, across which there is a triangle
+    /// of the same level, or nothing. `None` if that is too deep.
+    pub(crate) fn birth(self, [a, b, c]: [VertexId; 3]) -> Option<Birth> {
+        let right = match self.across([a, b, c]) {
+            Across::Corner(right) => Some(right),
+            Across::Gap => None,
+            Across::Unmade(_) => unreachable!("the triangle across is of the same level"),
+        };
+        let level = self.hierarchy.level_of([a, b]).checked_add(1)?;
+        Some(Birth { level, parent: self.parent([a, b], Some(c), right) })
+    }
+
     /// The edge `a -> b` with the corners left and right of it, read in the direction that the rule at [`Parent`] says.
-    pub(crate) fn parent(self, [a, b]: [VertexId; 2], left: Option<VertexId>, right: Option<VertexId>) -> Parent {
+    fn parent(self, [a, b]: [VertexId; 2], left: Option<VertexId>, right: Option<VertexId>) -> Parent {
         let inward = !self.is_first([a, b], left, right);
         Parent::read(a, b, [left, right], inward)
     }

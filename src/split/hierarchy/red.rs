@@ -12,7 +12,7 @@ use std::mem;
 use super::{Across, Levels};
 use crate::id::{Edge, Triangle, VertexId};
 use crate::rotation::RotationSystem;
-use crate::step::{Birth, Hierarchy};
+use crate::step::Hierarchy;
 
 /// The leaf that a triangle of the mesh is, or half of.
 pub(crate) fn leaf_of(hierarchy: &Hierarchy, triangle: Triangle) -> [VertexId; 3] {
@@ -93,16 +93,9 @@ impl Red {
             vertices.map(|(x, edge)| (hierarchy.level_of(edge.ends()), x, self.edges[&edge])).collect();
         // What lies across an edge is a part of a leaf one level below, or is there.
         made.sort_unstable();
-        for (level, x, side) in made {
-            let levels = Levels::new(rotation, hierarchy);
-            let [a, b, c] = side;
-            let right = match levels.across(side) {
-                Across::Corner(d) => Some(d),
-                Across::Gap => None,
-                Across::Unmade(_) => unreachable!("it is split before"),
-            };
-            let parent = levels.parent([a, b], Some(c), right);
-            hierarchy.insert(x, Birth { level: level + 1, parent });
+        for (_, x, side) in made {
+            let birth = Levels::new(rotation, hierarchy).birth(side).expect("the caller has looked how deep it is");
+            hierarchy.insert(x, birth);
         }
     }
 }

@@ -5,24 +5,23 @@
 //!
 //! **Deliberately not here**: what is given up again; that is not followed.
 
-use super::Change;
 use super::patch::{Center, Patch, View};
 use crate::id::VertexId;
 use crate::scheme::{MaskSink, Scheme};
-use crate::split::hierarchy::Growth;
 use crate::subdivide::ValueId;
 use crate::subdivide::follow::MaskWriter;
 
-/// Writes the masks by which was made what is new.
+/// Writes the masks by which was made what is new: `steps` as in [`Growth`](crate::split::hierarchy::Growth), and of each
+/// vertex that is shown anew at which level.
 pub(super) fn show<S: Scheme>(
     scheme: &S,
     view: View<'_>,
-    growth: &Growth,
-    change: &Change,
+    steps: &[(VertexId, u8)],
+    shown: impl Iterator<Item = (VertexId, u8)>,
     masks: &mut MaskWriter<'_>,
 ) {
     let hierarchy = view.levels.hierarchy();
-    let mut steps: Vec<(u8, VertexId)> = growth.steps.iter().map(|&(v, level)| (level, v)).collect();
+    let mut steps: Vec<(u8, VertexId)> = steps.iter().map(|&(v, level)| (level, v)).collect();
     steps.sort_unstable();
     // Until the end these are shown where they were born, and the value of that level is not kept yet.
     let moves_first = |v| steps.binary_search(&(hierarchy.level(v) + 1, v)).is_ok();
@@ -57,8 +56,7 @@ pub(super) fn show<S: Scheme>(
         }
         masks.next_pass();
     }
-    for &v in change.changed.iter().filter(|&&v| view.has_moved(v)) {
-        let level = view.shown_level(v);
+    for (v, level) in shown.filter(|&(v, _)| view.has_moved(v)) {
         masks.assign_value(ValueId::Shown(v), &[], |mask| mask.group(1.0, [ValueId::Kept(v, level)]));
     }
 }

@@ -49,7 +49,8 @@ pub(super) fn grow<S: Scheme>(
             let mut change = show_change(mesh, refinement, &growth.made, scratch);
             let view = View::new(mesh.rotation(), mesh.positions(), refinement);
             let after = mesh.vertex_count();
-            control.show(before, after, |masks| follow::show(scheme, view, growth, &change, masks));
+            let shown = || change.changed.iter().map(|&v| (v, view.shown_level(v)));
+            control.show(before, after, |masks| follow::show(scheme, view, &growth.steps, shown(), masks));
             change.added.clone_from(&growth.made);
             change.added.sort_unstable();
             Ok(change)

@@ -17,11 +17,13 @@
 mod dynamic;
 mod follow;
 mod grow;
+mod over;
 mod patch;
 mod sharpness;
 mod shrink;
 
 pub use dynamic::{Dynamic, Target};
+pub(crate) use over::GrownOver;
 
 use grow::grow;
 use sharpness::of_vertex;

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::sharpness::LevelTags;
 use crate::id::{Edge, VertexId};
-use crate::mesh::{Neighborhood, Tags};
+use crate::mesh::{Mesh, Neighborhood, Tags};
 use crate::rotation::{Ring, RingBuf, RotationSystem};
 use crate::scheme::{Mask, MaskSink, Reach, Scheme, WeightedSum};
 use crate::split::hierarchy::{Levels, Shown};
@@ -29,6 +29,17 @@ impl<'a> View<'a> {
         let levels = Levels::new(rotation, &refinement.hierarchy);
         let tags = LevelTags::new(levels, &refinement.input_tags);
         Self { levels, tags, places: &refinement.places, positions, asks_for_stars: refinement.goes_back }
+    }
+
+    /// Those of a mesh that lies over another, which has these sharp edges.
+    pub(super) fn over(
+        mesh: &'a Mesh,
+        refinement: &'a Refinement,
+        below: &'a LevelTags<'a>,
+        base: &'a [VertexId],
+    ) -> Self {
+        let view = Self::new(mesh.rotation(), mesh.positions(), refinement);
+        Self { tags: view.tags.over(below, base), ..view }
     }
 
     /// Whether a vertex has moved, so that it is known where it is at each of its levels.

@@ -22,11 +22,19 @@ pub(super) fn of_vertex(input: &Tags, v: VertexId, level: u8) -> Sharpness {
 pub(super) struct LevelTags<'a> {
     levels: Levels<'a>,
     input: &'a Tags,
+    /// Of a mesh that lies over another the tags of that one, with the vertex below each of its vertices: how sharp an edge
+    /// is follows from all edges around its ends, and at a seam one side has not all of them.
+    below: Option<(&'a LevelTags<'a>, &'a [VertexId])>,
 }
 
 impl<'a> LevelTags<'a> {
     pub(super) fn new(levels: Levels<'a>, input: &'a Tags) -> Self {
-        Self { levels, input }
+        Self { levels, input, below: None }
+    }
+
+    /// The same of a mesh that lies over another, with vertices over these.
+    pub(super) fn over(self, below: &'a Self, base: &'a [VertexId]) -> Self {
+        Self { below: Some((below, base)), ..self }
     }
 
     pub(super) fn is_empty(self) -> bool {
@@ -53,6 +61,15 @@ impl<'a> LevelTags<'a> {
     /// order in which they stand in the tags of a uniform mesh.
     pub(super) fn around(self, v: VertexId, level: u8) -> Vec<(VertexId, Sharpness)> {
         let birth = self.levels.hierarchy().birth(v);
+        if let Some((below, base)) = self.below {
+            let neighbors = match birth {
+                None => self.levels.input_ring(v).as_ring().iter().collect(),
+                Some(birth) => vec![birth.parent.p, birth.parent.q],
+            };
+            let over = |first| neighbors.iter().copied().filter(move |w| base[w.index()] == first);
+            let edges = below.around(base[v.index()], level).into_iter();
+            return edges.flat_map(|(first, sharpness)| over(first).map(move |w| (w, sharpness))).collect();
+        }
         let mut edges = match birth {
             None => {
                 let neighbors = self.input.sharp_neighbors(v).iter();
