@@ -96,16 +96,24 @@ fn options_choose_how_values_are_made() {
 #[test]
 fn a_region_keeps_them_too() {
     let desk = desk();
-    for method in ["simple", "incremental"] {
+    for method in ["simple", "incremental", "red-green", "red-green-restricted", "dynamic"] {
         for scheme in ["loop", "butterfly", "modified-butterfly", "midpoint"] {
-            desk.done(&format!(
+            let ran = desk.done(&format!(
                 "subdivide squares.obj -o o.obj --scheme {scheme} --method {method} --levels 3 --select vertices:0,1,4"
             ));
+            assert!(!ran.err.contains("lost") && !ran.err.contains("not take"), "{}", ran.err);
             desk.done("check o.obj");
             let loaded = io::read(desk.path("o.obj")).unwrap();
-            let corners = 0..3 * loaded.faces.face_count();
-            assert!(corners.clone().all(|k| loaded.attributes.texture_index(k).is_some()));
-            assert!((0..loaded.faces.face_count()).all(|face| loaded.attributes.material(face).is_some()));
+            let (faces, said) = (&loaded.faces, &loaded.attributes);
+            for face in 0..faces.face_count() {
+                let is_left = said.material(face) == Some("red");
+                assert_eq!(said.groups(face).next(), Some(if is_left { "left" } else { "right" }));
+                for corner in faces.corner_range(face) {
+                    let uv = said.texture_coordinates[said.texture_index(corner).unwrap()];
+                    assert!(if is_left { uv[0] < 0.5 } else { uv[0] > 0.5 }, "{uv:?}");
+                    assert!(said.normal_index(corner).is_some());
+                }
+            }
         }
     }
 }

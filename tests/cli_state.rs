@@ -106,6 +106,24 @@ fn what_does_not_belong_to_a_state_is_refused() {
     }
 }
 
+/// On a hierarchy faces are taken back, so what is said of them rides along from the first mesh on.
+#[test]
+fn texture_coordinates_ride_along_from_the_mesh_with_which_a_run_began() {
+    let desk = Desk::new();
+    let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
+    desk.write("uv.obj", text);
+    for method in ["red-green", "red-green-restricted", "dynamic"] {
+        let how = format!("--scheme loop --method {method} --select vertices:0,1,2");
+        let state = format!("--levels 1 --state {method}.json");
+        desk.done(&format!("subdivide uv.obj -o whole.obj --levels 2 {how}"));
+        desk.done(&format!("subdivide uv.obj -o first.obj {state} {how}"));
+        desk.vv(&format!("subdivide first.obj -o out.obj {state} {how}"))
+            .assert_refused(&format!("give the mesh with which {method}.json began"));
+        desk.done(&format!("subdivide uv.obj -o out.obj {state} {how}"));
+        assert_eq!(desk.read("out.obj"), desk.read("whole.obj"));
+    }
+}
+
 #[test]
 fn methods_on_a_hierarchy_make_conforming_meshes_and_matrices() {
     let desk = Desk::new();

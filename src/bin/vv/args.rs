@@ -420,8 +420,8 @@ pub(crate) enum MethodName {
 }
 
 impl MethodName {
-    /// Whether a step takes edges back that one before it drew, so that new faces do not lie in old ones.
-    pub(crate) fn takes_back(self) -> bool {
+    /// Whether its steps go on with a hierarchy that is kept beside the mesh.
+    pub(crate) fn is_on_hierarchy(self) -> bool {
         matches!(self, Self::RedGreen | Self::RedGreenRestricted | Self::Dynamic)
     }
 }

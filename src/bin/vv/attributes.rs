@@ -101,38 +101,10 @@ pub(crate) fn to_take_along(
     if let Some((option, _, what)) = missing.iter().find(|(_, is_missing, _)| *is_missing) {
         return refuse(format!("{option} has no meaning with {path}: it has no {what}; leave it out"));
     }
-    let takes_faces_back = arguments.refine.method.takes_back();
     Ok(match said {
-        Some((triangles, said)) if takes_faces_back && arguments.refine.levels() > 0 => {
-            Some((triangles, without_faces(arguments, said)?))
-        }
         None if arguments.normals.is_some() => Some((mesh.to_face_list(), nothing)),
         said => said,
     })
-}
-
-/// What rides along with a method that takes faces back: colours.
-fn without_faces(arguments: &SubdivideArguments, said: FaceAttributes) -> Result<FaceAttributes, Failure> {
-    let method = arguments.refine.method;
-    if arguments.uv.is_some() {
-        return refuse(format!(
-            "--uv has no meaning with --method {method}: it does not take texture coordinates along; leave it out"
-        ));
-    }
-    let is_obj = Format::from_ending(&arguments.output) == Some(Format::Obj);
-    let (others, hint) = match is_obj {
-        true => ("groups, objects, materials, normals and ", "; --normals recompute makes new normals"),
-        false => ("", ""),
-    };
-    let mut kept = FaceAttributes::default();
-    kept.vertex_colors.clone_from(&said.vertex_colors);
-    if said != kept {
-        note(format_args!(
-            "{}: {others}texture coordinates are lost: --method {method} does not take them along{hint}",
-            arguments.refine.mesh.display()
-        ));
-    }
-    Ok(kept)
 }
 
 /// Ready to ride along with a run.

@@ -40,7 +40,7 @@ pub(crate) struct FaceLimit {
 impl FaceLimit {
     /// The number that the user gave, else what fits the memory that is free now.
     pub(crate) fn new(given: Option<u64>, method: MethodName) -> Self {
-        Self::of(given, if method.takes_back() { BYTES_A_FACE_ON_HIERARCHY } else { BYTES_A_FACE })
+        Self::of(given, if method.is_on_hierarchy() { BYTES_A_FACE_ON_HIERARCHY } else { BYTES_A_FACE })
     }
 
     /// The same if attributes ride along.

@@ -14,7 +14,7 @@ use vvmesh::subdivide::Subdivider;
 use crate::Outcome;
 use crate::args::{BoundaryName, CreasesName, MethodName, SubdivideArguments};
 use crate::attributes::{self, Finished};
-use crate::console::{Failure, json, print};
+use crate::console::{Failure, json, print, refuse};
 use crate::input::Input;
 use crate::memory::FaceLimit;
 use crate::outputs::{self, Named, OUT};
@@ -101,7 +101,7 @@ impl Ready<'_> {
     }
 
     /// A run that was begun before, after its last step. What rides along has to be told for the mesh with which it began, or
-    /// for the one that was made.
+    /// for the one that was made; on a hierarchy, which takes faces back, for the former.
     fn go_on(self, mesh: &Mesh, path: &Path, state: State) -> Result<Begun, Failure> {
         let (arguments, asked) = (self.arguments, &self.arguments.refine);
         let (first, boundary) = state.begin(path)?;
@@ -115,6 +115,14 @@ impl Ready<'_> {
         state.replay(&mut run, path, self.limit)?;
         if !is_first && !state::is_same(mesh, &run.mesh) {
             state::refuse_mesh(path, &asked.mesh, run.levels.len())?;
+        }
+        if said.is_some() && asked.method.is_on_hierarchy() {
+            return refuse(format!(
+                "{}: --method {} takes along what a file says from the first mesh on; give the mesh with which {} began",
+                asked.mesh.display(),
+                asked.method,
+                path.display()
+            ));
         }
         attach(arguments, &mut run, said)?;
         Ok((run, boundary, Some(state)))
