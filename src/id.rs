@@ -164,6 +164,14 @@ impl Triangle {
         self.0
     }
 
+    /// The edges in the order of the corners: the first leads from the first corner to the second.
+    #[inline]
+    #[must_use]
+    pub fn edges(self) -> [Edge; 3] {
+        let [a, b, c] = self.0;
+        [Edge::new(a, b), Edge::new(b, c), Edge::new(c, a)]
+    }
+
     /// The same triangle seen from behind.
     #[inline]
     #[must_use]

@@ -17,7 +17,7 @@
 //! assert_eq!(mesh.rotation().triangles_around(v).len(), 5);
 //! ```
 //!
-//! A [`Criterion`] makes a [`Selection`] of vertices. A [`Subdivider`] is a [scheme](scheme) with an [adaptive
+//! A [`Criterion`] makes a [`Selection`] of vertices, edges or faces. A [`Subdivider`] is a [scheme](scheme) with an [adaptive
 //! method](adaptive); each of its steps refines the region that the method chooses for a selection, and answers with the
 //! selection that follows. What is remembered between steps is a [`History`] that the caller holds.
 //!

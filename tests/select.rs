@@ -10,7 +10,7 @@ use quickcheck::{Arbitrary, Gen};
 use vvmesh::error::{Error, ExpressionError, ExpressionErrorKind, SelectError};
 use vvmesh::glam::DVec3;
 use vvmesh::scratch::Scratch;
-use vvmesh::select::{All, Criterion, Dihedral, Disk, Expression, Selection, Sphere, Vertices};
+use vvmesh::select::{All, Criterion, Dihedral, Disk, Expression, Faces, NormalAngle, Selection, Sphere, Vertices};
 use vvmesh::{Angle, Mesh, VertexId, shapes};
 
 fn set(indices: &[usize]) -> Selection {
@@ -175,12 +175,16 @@ fn not_binds_tighter_than_and_tighter_than_or() {
 
 #[test]
 fn every_criterion_is_read_with_its_parameters() {
-    let cases: [(&str, &dyn Criterion); 5] = [
+    let above = |deg| NormalAngle::new(Angle::from_deg(deg)).expect("sound");
+    let cases: [(&str, &dyn Criterion); 8] = [
         ("all", &All),
         ("disk:3,1", &Disk::new(VertexId::new(3), 1)),
         (" sphere : 1, -0.5 ,0e0,+.5 ", &Sphere::new(DVec3::new(1.0, -0.5, 0.0), 0.5).expect("sound")),
         ("dihedral:45.5", &Dihedral::new(Angle::from_deg(45.5)).expect("sound")),
         ("vertices:007", &Vertices::new(set(&[7]))),
+        ("faces: 3,02,3", &Faces::new([2, 3])),
+        ("normal-angle:45.5", &above(45.5)),
+        ("normal-angle: 45.5 +neighbors", &above(45.5).and_neighbors()),
     ];
     let mesh = roof();
     for (text, criterion) in cases {
@@ -235,8 +239,8 @@ fn file_names_end_at_a_sign_or_are_quoted() {
 #[test]
 fn errors_name_the_column_and_what_was_expected() {
     let id = "expected the id of a vertex, a whole number from 0 to 4294967294";
-    let known =
-        "known are `all`, `vertices:V,V,...`, `vertices:@FILE`, `disk:V,R`, `sphere:x,y,z,radius`, `dihedral:DEG`";
+    let known = "known are `all`, `vertices:V,V,...`, `vertices:@FILE`, `disk:V,R`, `sphere:x,y,z,radius`, `dihedral:DEG`, \
+         `faces:F,F,...`, `faces:@FILE`, `normal-angle:DEG`, `normal-angle:DEG+neighbors`";
     let cases = [
         ("", "column 1: expected a criterion, `!` or `(`, found the end".to_owned()),
         ("  ", "column 3: expected a criterion, `!` or `(`, found the end".to_owned()),
@@ -347,7 +351,7 @@ impl Arbitrary for Written {
                     return number;
                 }
             };
-            match u8::arbitrary(g) % 6 {
+            match u8::arbitrary(g) % 8 {
                 0 => "all".to_owned(),
                 1 => format!(
                     "vertices:{}",
@@ -356,6 +360,8 @@ impl Arbitrary for Written {
                 2 => "vertices:@ids".to_owned(),
                 3 => format!("disk: {},{}", u16::arbitrary(g), usize::arbitrary(g)),
                 4 => format!("sphere:{},{} ,{:?},{}", number(g), number(g), number(g), number(g).abs()),
+                5 => format!("faces:{}", usize::arbitrary(g)),
+                6 => format!("normal-angle:{}+neighbors", f64::from(u8::arbitrary(g) % 180)),
                 _ => format!("dihedral:{}", f64::from(u32::arbitrary(g)) / f64::from(u32::MAX) * 180.0),
             }
         }
@@ -394,9 +400,30 @@ fn garbage_is_refused_without_a_panic() {
 #[test]
 fn shuffled_pieces_are_refused_without_a_panic() {
     fn property(pieces: Vec<u8>) -> bool {
-        const PIECES: [&str; 20] = [
-            "all", "vertices", "disk", "sphere", "dihedral", ":", ",", "|", "&", "!", "(", ")", "@", "\"", " ", "1",
-            "-2.5", "ids", "é", "1e9",
+        const PIECES: [&str; 23] = [
+            "all",
+            "vertices",
+            "disk",
+            "sphere",
+            "dihedral",
+            "faces",
+            "normal-angle",
+            "+neighbors",
+            ":",
+            ",",
+            "|",
+            "&",
+            "!",
+            "(",
+            ")",
+            "@",
+            "\"",
+            " ",
+            "1",
+            "-2.5",
+            "ids",
+            "é",
+            "1e9",
         ];
         let text: String = pieces.iter().map(|&k| PIECES[usize::from(k) % PIECES.len()]).collect();
         let mesh = shapes::octahedron();

@@ -8,7 +8,7 @@ use crate::scratch::Scratch;
 use crate::select::Selection;
 use crate::step::Region;
 
-/// Refines the selection S with all vertices within r edges of it, E^r(S), so that the surface over S is exactly that of
+/// Refines the selection S with all vertices within r edges of it, E^r(S), ends of edges and corners of faces included, so that the surface over S is exactly that of
 /// refining everything.
 ///
 /// # Guarantees

@@ -64,6 +64,10 @@ pub enum RefineError {
     },
     /// A selection names a vertex that does not exist.
     NoVertex(crate::id::VertexId),
+    /// A selection names an edge that does not exist.
+    NoEdge(crate::id::Edge),
+    /// A selection names a face that does not exist.
+    NoFace(crate::id::Triangle),
     /// The star of a vertex was asked for at a level at which it has none yet.
     NoStar {
         /// The vertex.
@@ -130,6 +134,8 @@ impl fmt::Display for RefineError {
                 write!(f, "nobody asks for the star of {vertex} at level {level}, so it cannot be given up")
             }
             Self::NoVertex(v) => write!(f, "the selection names {v}, which does not exist"),
+            Self::NoEdge(edge) => write!(f, "the selection names the edge {edge}, which does not exist"),
+            Self::NoFace(face) => write!(f, "the selection names the face {face}, which does not exist"),
             Self::SemiSharp => {
                 write!(
                     f,

@@ -5,7 +5,7 @@ use std::io;
 use std::path::PathBuf;
 
 use super::ConfigError;
-use crate::id::VertexId;
+use crate::id::{Edge, Triangle, VertexId};
 
 /// A criterion could not be applied to a mesh.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -18,26 +18,44 @@ pub enum SelectError {
         /// How many vertices the mesh has.
         vertex_count: usize,
     },
+    /// A criterion names an edge that the mesh has not.
+    NoEdge(Edge),
+    /// A criterion names a face that the mesh has not.
+    NoFace(Triangle),
+    /// A criterion names a face by a number that its list has not.
+    NoFaceNumber {
+        /// The number.
+        number: usize,
+        /// How many faces are listed.
+        face_count: usize,
+    },
 }
 
 impl fmt::Display for SelectError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoVertex { vertex, vertex_count: 0 } => {
-                write!(f, "there is no vertex {}: the mesh has no vertices", vertex.index())
-            }
-            Self::NoVertex { vertex, vertex_count: 1 } => {
-                write!(f, "there is no vertex {}: the mesh has 1 vertex, id 0", vertex.index())
-            }
             Self::NoVertex { vertex, vertex_count } => {
-                let (vertex, last) = (vertex.index(), vertex_count - 1);
-                write!(f, "there is no vertex {vertex}: the mesh has {vertex_count} vertices, ids 0 to {last}")
+                write!(f, "there is no vertex {}: {}", vertex.index(), there_are(*vertex_count, ["vertex", "vertices"]))
+            }
+            Self::NoEdge(edge) => write!(f, "there is no edge {edge}"),
+            Self::NoFace(face) => write!(f, "there is no face {face}"),
+            Self::NoFaceNumber { number, face_count } => {
+                write!(f, "there is no face {number}: {}", there_are(*face_count, ["face", "faces"]))
             }
         }
     }
 }
 
 impl std::error::Error for SelectError {}
+
+/// Which ids there are.
+fn there_are(count: usize, [one, many]: [&str; 2]) -> String {
+    match count {
+        0 => format!("the mesh has no {many}"),
+        1 => format!("the mesh has 1 {one}, id 0"),
+        _ => format!("the mesh has {count} {many}, ids 0 to {}", count - 1),
+    }
+}
 
 /// What is wrong with a selection that is given as text.
 #[derive(Debug)]

@@ -148,6 +148,13 @@ impl RotationSystem {
         self.contains(a) && self.ring(a).contains(b)
     }
 
+    /// Whether there is this triangle, with its corners in this order. O(valence); `false` also for vertices that do not exist.
+    #[must_use]
+    pub fn has_triangle(&self, triangle: Triangle) -> bool {
+        let [a, b, c] = triangle.corners();
+        self.contains(a) && self.left_of(a, b) == Some(c)
+    }
+
     /// The third corner of the triangle on the left of `a -> b`; `None` if a gap is there, or no such edge.
     ///
     /// # Panics

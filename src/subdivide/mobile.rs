@@ -90,7 +90,7 @@ pub(super) fn step(scheme: &Loop, diagonal: Diagonal, request: Request<'_, '_>) 
     let (counts, settled) = sort_faces(mesh, history, &mobile, scratch);
     if mobile.is_empty() {
         let certified = Certificate::new(mesh, history).map(|certificate| certificate.certified().count());
-        let (selection, selected) = (selection.clone(), selection.len());
+        let (selection, selected) = (selection.clone(), selection.vertices().len());
         return Ok(Step { selection, selected, certified, mobile: Some(counts), ..Step::default() });
     }
     let placing = Placing { scheme, mobile: &mobile };

@@ -19,6 +19,7 @@ mod hierarchy;
 mod mobile;
 mod over;
 mod pairs;
+mod parts;
 mod positions;
 mod quadrisect;
 mod red_green;
@@ -42,7 +43,7 @@ use crate::id::VertexId;
 use crate::mesh::Mesh;
 use crate::scheme::{AnyScheme, Scheme, with_scheme};
 use crate::scratch::Scratch;
-use crate::select::Selection;
+use crate::select::{Selection, Unknown};
 use crate::split::Diagonal;
 use crate::step::{History, Region};
 use hierarchy::Demand;
@@ -93,9 +94,11 @@ impl Control<'_> {
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Step {
     /// The selection that follows: the selected vertices and every new one between two of them, under √3 in a triangle of
-    /// three of them.
+    /// three of them. Where triangles are split in four, of edges their halves and of faces the faces made of them, which are
+    /// four if nothing but the region of the method decides; of a leaf in which a selected face lies, under *red-green*. Of
+    /// vertices where new edges and faces do not lie in old ones: under √3 and 4-8, by *dynamic*, and of edges by *red-green*.
     pub selection: Selection,
-    /// How many vertices were selected before the step.
+    /// How many vertices were selected before the step, ends of edges and corners of faces among them.
     pub selected: usize,
     /// How many vertices took part in the step.
     pub region: usize,
@@ -127,7 +130,7 @@ impl Step {
 
     /// Gives the memory of the lists back, for the steps that follow.
     ///
-    /// A run of steps of like size that does so, and passes the same `scratch` to every step, allocates nothing but for a
+    /// A run of steps of like size that does so, for selections of vertices, and passes the same `scratch` to every step, allocates nothing but for a
     /// growing mesh and for rings of more than six neighbours (five if open). A certificate takes one list a step more; 4-8, and
     /// √3 by a method that promises nothing, take some.
     pub fn recycle(self, scratch: &mut Scratch) {
@@ -330,7 +333,7 @@ impl Subdivider {
     /// Refines the region that the method chooses for a selection.
     ///
     /// # Errors
-    /// A selected vertex that does not exist, a history of another [`SplitKind`](crate::step::SplitKind), under √3 and on a
+    /// A selected vertex, edge or face that does not exist, a history of another [`SplitKind`](crate::step::SplitKind), under √3 and on a
     /// hierarchy of other methods, a follower that was not there from the first step on and has to be, semi-sharp tags that the
     /// scheme cannot blend, more faces than [`Control::max_faces`], more vertices than 32-bit ids name, a 256th level, a position that is not finite, or the
     /// caller's wish to stop. The mesh and the history are then as before.
@@ -349,9 +352,7 @@ impl Subdivider {
         scratch: &mut Scratch,
         control: &mut Control<'_>,
     ) -> Result<Step, RefineError> {
-        if let Some(&last) = selection.vertices().last().filter(|last| last.index() >= mesh.vertex_count()) {
-            return Err(RefineError::NoVertex(last));
-        }
+        require_known(selection, mesh)?;
         require_blended(&self.scheme, mesh)?;
         if let Method::OnHierarchy(demand) = self.method {
             return hierarchy::step(&self.scheme, demand, mesh, history, selection, scratch, control);
@@ -409,6 +410,16 @@ impl Subdivider {
             Method::Region(method) => method.promises_exactness(),
             Method::Mobile(_) | Method::RedGreen | Method::OnHierarchy(_) => false,
         }
+    }
+}
+
+/// Refuses a selection of what does not exist.
+fn require_known(selection: &Selection, mesh: &Mesh) -> Result<(), RefineError> {
+    match selection.first_unknown(mesh.rotation()) {
+        None => Ok(()),
+        Some(Unknown::Vertex(v)) => Err(RefineError::NoVertex(v)),
+        Some(Unknown::Edge(edge)) => Err(RefineError::NoEdge(edge)),
+        Some(Unknown::Face(face)) => Err(RefineError::NoFace(face)),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Which schemes and methods go together, and what holds of those that do.
 //!
 //! One table says it. What it refuses is refused when a [`Subdivider`](super::Subdivider) is made, with its reason; what it
-//! promises is tested for every pair and every criterion. Criteria are no part of it, as they answer with a set of vertices,
-//! whatever is done with that.
+//! promises is tested for every pair and every criterion. Criteria are no part of it, as any method takes whatever
+//! they answer with.
 
 use std::fmt;
 

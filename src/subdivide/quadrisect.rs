@@ -6,11 +6,12 @@
 //! **Deliberately not here**: rings ([`crate::split`]), weights ([`crate::scheme`]).
 
 use super::whole::follow as follow_whole;
-use super::{Request, Step, positions};
+use super::{Request, Step, parts, positions};
 use crate::certify::{self, Certificate};
 use crate::error::RefineError;
 use crate::id::{Edge, VertexId};
 use crate::mesh::Mesh;
+use crate::rotation::RotationSystem;
 use crate::scheme::Scheme;
 use crate::scratch::Scratch;
 use crate::select::Selection;
@@ -54,7 +55,10 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
 
         // From here on nothing can fail.
         control.show(old, old + new, |masks| positions::show_whole(self.scheme, mesh, &whole, masks));
-        let followed = follow_whole(&whole, selection, old, scratch);
+        let followed = match selection.is_of_vertices() {
+            true => follow_whole(&whole, selection, old, scratch),
+            false => parts::follow(selection, |edge| Some(whole.on(edge)), mesh.rotation()),
+        };
         let rings = whole.rings();
         let mut sharp: Vec<(VertexId, Edge)> =
             mesh.tags().sharp_edges().into_iter().map(|edge| (whole.on(edge), edge)).collect();
@@ -76,7 +80,7 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
         });
         Ok(Step {
             selection: followed,
-            selected: selection.len(),
+            selected: selection.vertices().len(),
             region: old,
             split_edges: new,
             passes: 1,
@@ -150,8 +154,8 @@ impl<S: Scheme + Sync> Quadrisection<'_, S> {
         let made = levels.iter().copied().zip(plan.edges.iter().map(|edge| Lineage::Edge(edge.ends())));
         history.record(SplitKind::Quadrisect, mesh.vertex_count(), made, &closing.edges, closing.max_valence);
         Ok(Step {
-            selection: follow(selection, plan, mesh.vertex_count(), scratch),
-            selected: selection.len(),
+            selection: follow(selection, plan, mesh.rotation(), scratch),
+            selected: selection.vertices().len(),
             region: moving.len(),
             split_edges: plan.edges.len(),
             passes: 1,
@@ -189,17 +193,26 @@ fn child_levels(levels: &mut Vec<u8>, history: &History, plan: &Plan) -> Result<
 fn split_tags(mesh: &mut Mesh, plan: &Plan, moving: &[VertexId]) {
     let (rotation, _, tags) = mesh.parts_mut();
     if !tags.is_empty() {
-        let edge = |[p, q]: [VertexId; 2]| Edge::new(p, q);
-        let split = plan.odd().map(|(x, split)| (x, edge(split.ends())));
+        let split = plan.odd().map(|(x, split)| (x, edge_between(split.ends())));
         tags.refine(rotation, split, moving.iter().copied());
     }
 }
 
-/// S' = S and every new vertex between two vertices of S. O(S and the region).
-fn follow(selection: &Selection, plan: &Plan, vertex_count: usize, scratch: &mut Scratch) -> Selection {
+fn edge_between([p, q]: [VertexId; 2]) -> Edge {
+    Edge::new(p, q)
+}
+
+/// S' = S and every new vertex between two vertices of S, or the parts of edges and faces. O(S and the region).
+fn follow(selection: &Selection, plan: &Plan, rotation: &RotationSystem, scratch: &mut Scratch) -> Selection {
+    if !selection.is_of_vertices() {
+        let mut odd: Vec<(Edge, VertexId)> = plan.odd().map(|(x, split)| (edge_between(split.ends()), x)).collect();
+        odd.sort_unstable();
+        let odd_on = |edge| odd.binary_search_by_key(&edge, |&(edge, _)| edge).ok().map(|k| odd[k].1);
+        return parts::follow(selection, odd_on, rotation);
+    }
     let mut vertices = scratch.take_list();
     vertices.extend_from_slice(selection.vertices());
-    let marks = scratch.marked(vertex_count, selection.vertices());
+    let marks = scratch.marked(rotation.vertex_count(), selection.vertices());
     vertices.extend(plan.odd().filter(|(_, edge)| edge.ends().iter().all(|&end| marks.is_set(end))).map(|(x, _)| x));
     Selection::ascending(vertices)
 }

@@ -1,6 +1,6 @@
 //! A step of plain red-green refinement.
 //!
-//! The leaves with all corners in the selection are split in four (*red*), and so is, to a fixed point, every leaf of which
+//! The leaves with all corners in the selection, or in which a selected face lies, are split in four (*red*), and so is, to a fixed point, every leaf of which
 //! two edges would be split or one twice. Leaves with one split edge are bisected (*green*) until the next step, which takes
 //! that back first. Positions come from masks on the mesh as it is, green edges and all: those of all corners of red leaves,
 //! and of new vertices. So nothing is exact by itself; what the certificate proves is. Source: `[bank1983]`.
@@ -8,14 +8,14 @@
 //! **Deliberately not here**: which leaves need to be split ([`crate::split::hierarchy`]).
 
 use super::quadrisect::Quadrisection;
-use super::{Control, Request, Step};
+use super::{Control, Request, Step, parts};
 use crate::error::RefineError;
 use crate::id::{Edge, VertexId};
 use crate::mesh::Mesh;
 use crate::rotation::RotationSystem;
 use crate::scheme::Scheme;
 use crate::scratch::Scratch;
-use crate::select::Selection;
+use crate::select::{Elements, Selection};
 use crate::split::hierarchy::{Levels, Red, leaf_of, show};
 use crate::split::quadrisect::{Closing, Plan};
 use crate::step::{Hierarchy, History, Region};
@@ -30,15 +30,25 @@ pub(super) fn step<S: Scheme + Sync>(
     control: &mut Control<'_>,
 ) -> Result<Step, RefineError> {
     let mut hierarchy = history.take_hierarchy(mesh.vertex_count());
-    let selected = selected_leaves(mesh, &hierarchy, selection, scratch);
-    let red = Red::closure(Levels::new(mesh.rotation(), &hierarchy), selected);
+    let selected = match selection.elements() {
+        Elements::Faces(faces) => parts::leaves(&hierarchy, faces),
+        _ => leaves_inside(mesh, &hierarchy, selection, scratch),
+    };
+    let red = Red::closure(Levels::new(mesh.rotation(), &hierarchy), selected.iter().copied());
     let first = mesh.vertex_count();
     let step = if red.edges.keys().any(|edge| hierarchy.level_of(edge.ends()) == u8::MAX) {
         Err(RefineError::TooDeep)
     } else {
         let region = Region::edges(red.edges.keys().copied());
-        let request =
-            Request { mesh, history: &mut *history, selection, region: &region, scratch: &mut *scratch, control };
+        let corners = selection.to_vertices();
+        let request = Request {
+            mesh: &mut *mesh,
+            history: &mut *history,
+            selection: &corners,
+            region: &region,
+            scratch: &mut *scratch,
+            control,
+        };
         quadrisection.refine_by(request, |mesh, plan, closing, scratch| {
             let (rotation, ..) = mesh.parts_mut();
             let made = plan.odd().map(|(x, split)| (x, split.edge()));
@@ -47,15 +57,18 @@ pub(super) fn step<S: Scheme + Sync>(
         })
     };
     let followed = step.map(|step| {
-        let older = older_between(&hierarchy, &red, selection, first);
-        Step { selection: step.selection.union(&older), passes: red.passes, ..step }
+        let followed = match selection.elements() {
+            Elements::Faces(_) => parts::shown(&hierarchy, mesh.rotation(), selected),
+            _ => step.selection.union(&older_between(&hierarchy, &red, selection, first)),
+        };
+        Step { selection: followed, passes: red.passes, ..step }
     });
     history.keep_hierarchy(hierarchy);
     followed
 }
 
 /// The leaves with all corners in the selection; some come more than once.
-fn selected_leaves(
+fn leaves_inside(
     mesh: &Mesh,
     hierarchy: &Hierarchy,
     selection: &Selection,

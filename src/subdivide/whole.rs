@@ -64,7 +64,7 @@ pub(super) fn positions<W: WholeSplit>(
 pub(super) fn follow(whole: &impl WholeSplit, selection: &Selection, old: usize, scratch: &mut Scratch) -> Selection {
     let mut followed = scratch.take_list();
     followed.extend_from_slice(selection.vertices());
-    if selection.len() == old {
+    if selection.vertices().len() == old {
         followed.extend((old..old + whole.numbers().count()).map(VertexId::new));
     } else {
         let marks = scratch.marked(old, selection.vertices());

@@ -40,27 +40,28 @@ impl Dihedral {
 
 impl Criterion for Dihedral {
     fn select(&self, mesh: &Mesh, scratch: &mut Scratch) -> Result<Selection, SelectError> {
-        let folds = parallel::gather(0..mesh.vertex_count(), |a| self.folds_from(mesh, VertexId::new(a)));
         let mut marks = scratch.marks(mesh.vertex_count(), 1);
-        for v in folds.into_iter().flatten() {
+        for v in folded_edges(mesh, self.above).flatten() {
             marks.insert(v);
         }
         Ok(Selection::of_those(mesh.vertex_count(), |v| marks.is_set(v)))
     }
 }
 
-impl Dihedral {
-    /// The edges folded by more than the threshold that lead from `a` to greater ids: both ends, then the two opposite
-    /// vertices.
-    fn folds_from(self, mesh: &Mesh, a: VertexId) -> impl Iterator<Item = [VertexId; 4]> {
-        let (threshold, ring) = (self.above.rad(), mesh.ring(a));
+/// The edges folded by more than an angle: both ends, then the vertices opposite on the left and on the right.
+pub(super) fn folded_edges(mesh: &Mesh, above: Angle) -> impl Iterator<Item = [VertexId; 4]> {
+    let threshold = above.rad();
+    let folds_from = |a: usize| {
+        let a = VertexId::new(a);
+        let ring = mesh.ring(a);
         // By slots: to search the ring for each neighbour would cost the square of the valence.
         ring.iter().enumerate().filter(move |&(_, b)| a < b).filter_map(move |(slot, b)| {
             let (left, right) = (ring.behind(slot)?, ring.ahead(slot)?);
             let angle = angle_rad(mesh, [a, b, left], [b, a, right])?;
             (angle > threshold).then_some([a, b, left, right])
         })
-    }
+    };
+    parallel::gather(0..mesh.vertex_count(), folds_from).into_iter()
 }
 
 /// The angle between the normals of two faces; `None` if one of them has no area.

@@ -3,24 +3,28 @@
 mod all;
 mod dihedral;
 mod disk;
+mod faces;
+mod normal_angle;
 mod sphere;
 mod vertices;
 
 pub use all::All;
 pub use dihedral::Dihedral;
 pub use disk::Disk;
+pub use faces::Faces;
+pub use normal_angle::NormalAngle;
 pub use sphere::Sphere;
 pub use vertices::Vertices;
 
-use super::selection::Selection;
+use super::selection::{Selection, Unknown};
 use crate::error::SelectError;
 use crate::id::VertexId;
 use crate::mesh::Mesh;
 use crate::scratch::Scratch;
 
-/// A question to a mesh that selects vertices.
+/// A question to a mesh that selects vertices, edges or faces.
 ///
-/// It is a pure function of the mesh: the scratch is for marks and changes no answer. A closure from a mesh to a
+/// Whatever the mesh is, the answer is of one kind. It is a pure function of the mesh: the scratch is for marks and changes no answer. A closure from a mesh to a
 /// selection is a criterion.
 ///
 /// ```
@@ -38,10 +42,10 @@ pub trait Criterion {
     /// What the mesh has of it.
     ///
     /// # Errors
-    /// [`SelectError::NoVertex`] if the criterion names a vertex that the mesh has not. To select nothing is no error.
+    /// If the criterion names a vertex, an edge or a face that the mesh has not. To select nothing is no error.
     fn select(&self, mesh: &Mesh, scratch: &mut Scratch) -> Result<Selection, SelectError>;
 
-    /// What both select.
+    /// What both select, as [`Selection::intersection`] has it.
     fn and<C: Criterion>(self, other: C) -> And<Self, C>
     where
         Self: Sized,
@@ -49,7 +53,7 @@ pub trait Criterion {
         And(self, other)
     }
 
-    /// What one of the two selects, or both.
+    /// What one of the two selects, or both, as [`Selection::union`] has it.
     fn or<C: Criterion>(self, other: C) -> Or<Self, C>
     where
         Self: Sized,
@@ -57,7 +61,7 @@ pub trait Criterion {
         Or(self, other)
     }
 
-    /// What this does not select.
+    /// What this does not select, as [`Selection::complement`] has it.
     fn not(self) -> Not<Self>
     where
         Self: Sized,
@@ -112,16 +116,17 @@ pub struct Not<A>(A);
 
 impl<A: Criterion> Criterion for Not<A> {
     fn select(&self, mesh: &Mesh, scratch: &mut Scratch) -> Result<Selection, SelectError> {
-        Ok(self.0.select(mesh, scratch)?.complement(mesh.vertex_count()))
+        Ok(self.0.select(mesh, scratch)?.complement(mesh))
     }
 }
 
-/// Refuses the first vertex that the mesh has not.
+/// Refuses the first vertex, edge or face that the mesh has not.
 fn check(selection: &Selection, mesh: &Mesh) -> Result<(), SelectError> {
-    let vertices = selection.vertices();
-    match vertices.get(vertices.partition_point(|v| v.index() < mesh.vertex_count())) {
-        Some(&unknown) => Err(no_vertex(unknown, mesh)),
+    match selection.first_unknown(mesh.rotation()) {
         None => Ok(()),
+        Some(Unknown::Vertex(v)) => Err(no_vertex(v, mesh)),
+        Some(Unknown::Edge(edge)) => Err(SelectError::NoEdge(edge)),
+        Some(Unknown::Face(face)) => Err(SelectError::NoFace(face)),
     }
 }
 

@@ -110,10 +110,11 @@ impl<'t> Argument<'t> {
         self.whole.error(self.at, ExpressionErrorKind::Expected { expected, found })
     }
 
-    /// The ids in the file, if the argument is one.
-    pub(super) fn file_ids(&self, read: ReadFile<'_>) -> Result<Option<Vec<VertexId>>, ExpressionError> {
+    /// All ids of a list, or of the file that holds it; there may be none.
+    pub(super) fn ids<T: Id>(&self, read: ReadFile<'_>) -> Result<Vec<T>, ExpressionError> {
         if !self.is_file {
-            return Ok(None);
+            let listed = self.fields().filter(|_| !self.is_empty());
+            return listed.map(|field| field.id()).collect();
         }
         let path = PathBuf::from(self.text);
         let text = match read(&path) {
@@ -125,8 +126,8 @@ impl<'t> Argument<'t> {
         for (k, line) in text.strip_prefix('\u{feff}').unwrap_or(&text).lines().enumerate() {
             let listed = line.split('#').next().unwrap_or_default();
             for id in listed.split(|c: char| c == ',' || c.is_whitespace()).filter(|id| !id.is_empty()) {
-                match vertex(id, "vertex") {
-                    Ok(v) => ids.push(v),
+                match T::read(id, T::NAME) {
+                    Ok(id) => ids.push(id),
                     Err(error) => {
                         let kind = ExpressionErrorKind::FileLine { path, line: k + 1, error };
                         return Err(self.whole.error(self.at, kind));
@@ -134,7 +135,7 @@ impl<'t> Argument<'t> {
                 }
             }
         }
-        Ok(Some(ids))
+        Ok(ids)
     }
 }
 
@@ -149,7 +150,12 @@ pub(super) struct Field<'t> {
 impl Field<'_> {
     /// The id of a vertex.
     pub(super) fn vertex(&self, name: &'static str) -> Result<VertexId, ExpressionError> {
-        self.read(name, |text| vertex(text, name))
+        self.read(name, |text| VertexId::read(text, name))
+    }
+
+    /// One id of a list.
+    fn id<T: Id>(&self) -> Result<T, ExpressionError> {
+        self.read(T::NAME, |text| T::read(text, T::NAME))
     }
 
     /// A number of things.
@@ -168,6 +174,15 @@ impl Field<'_> {
         })
     }
 
+    /// Cuts off what stands at the end, if it does.
+    pub(super) fn take_suffix(&mut self, suffix: &str) -> bool {
+        let rest = self.text.strip_suffix(suffix);
+        if let Some(rest) = rest {
+            self.text = rest.trim_end();
+        }
+        rest.is_some()
+    }
+
     /// The error that the criterion refused this value.
     pub(super) fn refused(&self, error: ConfigError) -> ExpressionError {
         self.whole.error(self.at, ExpressionErrorKind::Value(error))
@@ -181,14 +196,34 @@ impl Field<'_> {
     }
 }
 
-fn vertex(text: &str, name: &'static str) -> Result<VertexId, ConfigError> {
-    count(text).and_then(VertexId::try_new).ok_or_else(|| {
-        value_error(
-            text,
-            name,
-            format!("expected the id of a vertex, a whole number from 0 to {}", VertexId::MAX_INDEX),
-        )
-    })
+/// What lists can name by numbers.
+pub(super) trait Id: Sized {
+    /// What it is.
+    const NAME: &'static str;
+
+    /// Reads an argument of this name.
+    fn read(text: &str, name: &'static str) -> Result<Self, ConfigError>;
+}
+
+impl Id for VertexId {
+    const NAME: &'static str = "vertex";
+
+    fn read(text: &str, name: &'static str) -> Result<Self, ConfigError> {
+        count(text).and_then(Self::try_new).ok_or_else(|| {
+            let expected = format!("expected the id of a vertex, a whole number from 0 to {}", Self::MAX_INDEX);
+            value_error(text, name, expected)
+        })
+    }
+}
+
+/// The number of a face.
+impl Id for usize {
+    const NAME: &'static str = "face";
+
+    fn read(text: &str, name: &'static str) -> Result<Self, ConfigError> {
+        let expected = || "expected the number of a face, a whole number from 0".to_owned();
+        count(text).ok_or_else(|| value_error(text, name, expected()))
+    }
 }
 
 /// A number of digits alone; the standard parser takes a sign too.

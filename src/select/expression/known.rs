@@ -8,7 +8,7 @@ use super::Term;
 use super::argument::{Argument, ReadFile};
 use crate::angle::Angle;
 use crate::error::ExpressionError;
-use crate::select::criteria::{All, Dihedral, Disk, Sphere, Vertices};
+use crate::select::criteria::{All, Dihedral, Disk, Faces, NormalAngle, Sphere, Vertices};
 
 /// One criterion that can be named.
 pub(super) struct Known {
@@ -29,6 +29,8 @@ pub(super) enum Make {
     Alone(fn() -> Arc<dyn Term>),
     /// From the text after `:`.
     From(fn(&Argument<'_>, ReadFile<'_>) -> Made),
+    /// The same of faces, whose numbers mean nothing to a mesh alone.
+    Faces(fn(&Argument<'_>, ReadFile<'_>) -> Result<Faces, ExpressionError>),
 }
 
 /// All of them, in the order in which messages list them.
@@ -38,6 +40,12 @@ pub(super) const KNOWN: &[Known] = &[
     Known { name: "disk", forms: &["disk:V,R"], make: Make::From(disk) },
     Known { name: "sphere", forms: &["sphere:x,y,z,radius"], make: Make::From(sphere) },
     Known { name: "dihedral", forms: &["dihedral:DEG"], make: Make::From(dihedral) },
+    Known { name: "faces", forms: &["faces:F,F,...", "faces:@FILE"], make: Make::Faces(faces) },
+    Known {
+        name: "normal-angle",
+        forms: &["normal-angle:DEG", "normal-angle:DEG+neighbors"],
+        make: Make::From(normal_angle),
+    },
 ];
 
 impl Known {
@@ -48,12 +56,11 @@ impl Known {
 }
 
 fn vertices(argument: &Argument<'_>, read: ReadFile<'_>) -> Made {
-    let vertices: Vertices = match argument.file_ids(read)? {
-        Some(ids) => ids.into_iter().collect(),
-        None if argument.is_empty() => Vertices::default(),
-        None => argument.fields().map(|field| field.vertex("vertex")).collect::<Result<_, _>>()?,
-    };
-    Ok(Arc::new(vertices))
+    Ok(Arc::new(argument.ids(read)?.into_iter().collect::<Vertices>()))
+}
+
+fn faces(argument: &Argument<'_>, read: ReadFile<'_>) -> Result<Faces, ExpressionError> {
+    Ok(Faces::new(argument.ids(read)?))
 }
 
 fn disk(argument: &Argument<'_>, _: ReadFile<'_>) -> Made {
@@ -72,4 +79,12 @@ fn dihedral(argument: &Argument<'_>, _: ReadFile<'_>) -> Made {
     let [above] = argument.exactly()?;
     let dihedral = Dihedral::new(Angle::from_deg(above.number("angle")?));
     Ok(Arc::new(dihedral.map_err(|error| above.refused(error))?))
+}
+
+fn normal_angle(argument: &Argument<'_>, _: ReadFile<'_>) -> Made {
+    let [mut above] = argument.exactly()?;
+    let and_neighbors = above.take_suffix("+neighbors");
+    let normal_angle = NormalAngle::new(Angle::from_deg(above.number("angle")?));
+    let normal_angle = normal_angle.map_err(|error| above.refused(error))?;
+    Ok(Arc::new(if and_neighbors { normal_angle.and_neighbors() } else { normal_angle }))
 }

@@ -10,9 +10,10 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use super::criteria::Criterion;
+use super::criteria::{Criterion, Faces};
 use super::selection::Selection;
 use crate::error::{ExpressionError, SelectError};
+use crate::id::Triangle;
 use crate::mesh::Mesh;
 use crate::scratch::Scratch;
 
@@ -26,7 +27,14 @@ use crate::scratch::Scratch;
 /// | `disk:V,R` | what is within R edges of vertex V ([`Disk`](super::Disk)) |
 /// | `sphere:x,y,z,radius` | what is at most `radius` away from a point ([`Sphere`](super::Sphere)) |
 /// | `dihedral:DEG` | ends and opposite vertices of edges folded by more than DEG degrees ([`Dihedral`](super::Dihedral)) |
+/// | `faces:1,2,3` | the faces with these numbers ([`Faces`]); `faces:` selects none |
+/// | `faces:@FILE` | those of a file, which is read as that of `vertices` |
+/// | `normal-angle:DEG` | faces whose normal is more than DEG degrees from that of a neighbour ([`NormalAngle`](super::NormalAngle)) |
+/// | `normal-angle:DEG+neighbors` | the same, and the faces that share an edge with them |
 /// | `!E`, `E & E`, <code>E &#124; E</code>, `(E)` | not, and, or; `!` binds tightest, then `&` |
+///
+/// Criteria answer with vertices, edges or faces. A chain of `&` or `|` over answers of one kind is of that kind; in any other
+/// chain edges become their ends and faces their corners before they are combined, in whatever order they stand.
 ///
 /// Blanks may stand between all of these. Arguments end at `|`, `&`, `)` or the end of the text, so a file name that
 /// holds one of them, or that starts or ends with a blank, is put in double quotes: `vertices:@"a|b.txt"`. A name in
@@ -54,6 +62,7 @@ pub struct Expression(Node);
 #[derive(Clone, Debug)]
 enum Node {
     Criterion(Arc<dyn Term>),
+    Faces(Faces),
     Not(Box<Node>),
     And(Vec<Node>),
     Or(Vec<Node>),
@@ -83,6 +92,13 @@ impl Expression {
         parse::parse(text, read).map(Self)
     }
 
+    /// The same with the numbers that faces have in this list; see [`Faces::numbered_by`].
+    #[must_use]
+    pub fn with_faces_numbered_by(mut self, list: impl Into<Arc<[Triangle]>>) -> Self {
+        self.0.number_faces(&list.into());
+        self
+    }
+
     /// How the known criteria are written, for messages and help.
     pub fn known_criteria() -> impl Iterator<Item = &'static str> {
         known::KNOWN.iter().flat_map(|known| known.forms).copied()
@@ -99,29 +115,33 @@ impl Criterion for Node {
     fn select(&self, mesh: &Mesh, scratch: &mut Scratch) -> Result<Selection, SelectError> {
         match self {
             Self::Criterion(criterion) => criterion.select(mesh, scratch),
-            Self::Not(inner) => Ok(inner.select(mesh, scratch)?.complement(mesh.vertex_count())),
+            Self::Faces(faces) => faces.select(mesh, scratch),
+            Self::Not(inner) => Ok(inner.select(mesh, scratch)?.complement(mesh)),
             Self::And(parts) => {
-                // Parts are evaluated even when nothing is left, so that an unknown vertex is always told.
-                let mut common: Option<Selection> = None;
-                for part in parts {
+                // Parts are evaluated even when nothing is left, so that an unknown vertex is always told. A part of
+                // another kind may come last, so vertices are kept beside edges or faces until it does.
+                let (first, rest) = parts.split_first().expect("a chain has two parts");
+                let first = first.select(mesh, scratch)?;
+                let mut alike = (!first.is_of_vertices()).then(|| first.clone());
+                let mut vertices = Selection::ascending(first.into_vertices());
+                for part in rest {
                     let selection = part.select(mesh, scratch)?;
-                    common = Some(match common {
-                        Some(common) => common.intersection(&selection),
-                        None => selection,
-                    });
+                    vertices = vertices.intersection(&selection);
+                    alike = alike.filter(|alike| alike.is_like(&selection)).map(|alike| alike.intersection(&selection));
                 }
-                Ok(common.unwrap_or_default())
+                Ok(alike.unwrap_or(vertices))
             }
             Self::Or(parts) => {
-                // Many small parts are gathered before they are merged, so that the sum of them is not paid for each.
-                let (mut merged, mut gathered) = (Selection::empty(), Vec::new());
+                // As many small parts as large ones are merged, so that the sum of all is not paid for each.
+                let mut merged: Vec<Selection> = Vec::new();
                 for part in parts {
-                    gathered.extend_from_slice(part.select(mesh, scratch)?.vertices());
-                    if gathered.len() > merged.len() {
-                        merged = merged.union(&gathered.drain(..).collect());
+                    let mut selection = part.select(mesh, scratch)?;
+                    while merged.last().is_some_and(|before| before.len() <= 2 * selection.len()) {
+                        selection = merged.pop().unwrap_or_default().union(&selection);
                     }
+                    merged.push(selection);
                 }
-                Ok(merged.union(&gathered.into_iter().collect()))
+                Ok(merged.into_iter().rev().reduce(|one, two| one.union(&two)).unwrap_or_default())
             }
         }
     }
@@ -137,6 +157,7 @@ impl fmt::Display for Node {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (sign, parts) = match self {
             Self::Criterion(criterion) => return criterion.fmt(f),
+            Self::Faces(faces) => return faces.fmt(f),
             Self::Not(inner) => {
                 f.write_str("!")?;
                 return self.write_part(inner, f);
@@ -153,6 +174,15 @@ impl fmt::Display for Node {
 }
 
 impl Node {
+    fn number_faces(&mut self, list: &Arc<[Triangle]>) {
+        match self {
+            Self::Criterion(_) => {}
+            Self::Faces(faces) => *faces = std::mem::take(faces).numbered_by(Arc::clone(list)),
+            Self::Not(inner) => inner.number_faces(list),
+            Self::And(parts) | Self::Or(parts) => parts.iter_mut().for_each(|part| part.number_faces(list)),
+        }
+    }
+
     /// Writes a part of this node, in parentheses if it binds less tightly.
     fn write_part(&self, part: &Self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if part.binding() < self.binding() { write!(f, "({part})") } else { write!(f, "{part}") }
@@ -163,7 +193,7 @@ impl Node {
             Self::Or(_) => 0,
             Self::And(_) => 1,
             Self::Not(_) => 2,
-            Self::Criterion(_) => 3,
+            Self::Criterion(_) | Self::Faces(_) => 3,
         }
     }
 }

@@ -104,19 +104,17 @@ impl<'t> Parser<'t, '_> {
         self.at += name.len();
         match known.make {
             Make::Alone(make) => Ok(Node::Criterion(make())),
-            Make::From(make) => {
-                let form = known.forms[0];
-                if !self.take(":") {
-                    return Err(self.expected(&format!("`:` and arguments as in `{form}`")));
-                }
-                let argument = self.argument(form)?;
-                make(&argument, self.read).map(Node::Criterion)
-            }
+            Make::From(make) => make(&self.argument(known)?, self.read).map(Node::Criterion),
+            Make::Faces(make) => make(&self.argument(known)?, self.read).map(Node::Faces),
         }
     }
 
-    /// Reads up to the end of the arguments.
-    fn argument(&mut self, form: &'static str) -> Result<Argument<'t>, ExpressionError> {
+    /// Reads what stands behind the name of a criterion.
+    fn argument(&mut self, known: &Known) -> Result<Argument<'t>, ExpressionError> {
+        let form = known.forms[0];
+        if !self.take(":") {
+            return Err(self.expected(&format!("`:` and arguments as in `{form}`")));
+        }
         let is_file = self.take("@");
         self.skip_blanks();
         let (whole, at) = (self.whole, self.at);

@@ -94,7 +94,7 @@ pub(super) fn step(scheme: &FourEight, request: Request<'_, '_>) -> Result<Step,
     change.apply(mesh, history);
     Ok(Step {
         selection: followed,
-        selected: selection.len(),
+        selected: selection.vertices().len(),
         region: region_size,
         split_edges: made,
         passes: 1,

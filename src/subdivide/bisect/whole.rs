@@ -44,7 +44,7 @@ pub(super) fn step(scheme: &FourEight, request: Request<'_, '_>) -> Result<Step,
     history.record_whole(SplitKind::Bisect, old + new, whole::max_valence(rotation, old, 4));
     Ok(Step {
         selection: followed,
-        selected: selection.len(),
+        selected: selection.vertices().len(),
         region: old,
         split_edges: new,
         passes: 1,

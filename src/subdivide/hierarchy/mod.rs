@@ -28,14 +28,14 @@ pub(crate) use over::GrownOver;
 use grow::grow;
 use sharpness::of_vertex;
 
-use super::{Control, Step};
+use super::{Control, Step, parts};
 use crate::certify::Certificate;
 use crate::error::RefineError;
 use crate::id::VertexId;
 use crate::mesh::Mesh;
 use crate::scheme::{AnyScheme, LoopWeights, with_scheme};
 use crate::scratch::Scratch;
-use crate::select::Selection;
+use crate::select::{Elements, Selection};
 use crate::split::hierarchy::{Grower, Levels, leaves_around, show};
 use crate::step::{History, Refinement, SplitKind};
 
@@ -134,7 +134,7 @@ pub(super) fn step(
         .map(|certificate| changed.iter().filter(|&&v| certificate.is_certified(v)).count());
     Ok(Step {
         selection: selection_after,
-        selected: selection.len(),
+        selected: selection.vertices().len(),
         region: changed.len() - added.len(),
         split_edges: added.len(),
         passes,
@@ -145,30 +145,39 @@ pub(super) fn step(
     })
 }
 
-/// Splits the leaves inside of a selection, then all with two split edges and more, until there is none. Answers in how many
+/// Splits the leaves inside of a selection, or in which selected faces lie, then all with two split edges and more, until there is none. Answers in how many
 /// passes, too.
 fn red_green(
     site: Site<'_>,
     selection: &Selection,
     control: &mut Control<'_>,
 ) -> Result<(Change, Selection, usize), RefineError> {
-    let levels = Levels::new(site.mesh.rotation(), &site.refinement.hierarchy);
-    let marks = site.scratch.marked(site.mesh.vertex_count(), selection.vertices());
-    let around = selection.vertices().iter().flat_map(|&v| leaves_around(levels, v));
-    let inside = |[v, a, b]: &[VertexId; 3]| v < a && v < b && marks.is_set(*a) && marks.is_set(*b);
-    let leaves: Vec<[VertexId; 3]> = around.filter(inside).collect();
-
-    let (mut followed, mut passes) = (selection.vertices().to_vec(), usize::from(!leaves.is_empty()));
+    let Site { scheme, mesh, refinement, scratch } = site;
+    let hierarchy = &refinement.hierarchy;
+    let leaves = match selection.elements() {
+        Elements::Faces(faces) => parts::leaves(hierarchy, faces),
+        _ => {
+            let marks = scratch.marked(mesh.vertex_count(), selection.vertices());
+            let levels = Levels::new(mesh.rotation(), hierarchy);
+            let around = selection.vertices().iter().flat_map(|&v| leaves_around(levels, v));
+            around.filter(|[v, a, b]| v < a && v < b && marks.is_set(*a) && marks.is_set(*b)).collect()
+        }
+    };
+    let (mut between, mut passes) = (Vec::new(), usize::from(!leaves.is_empty()));
+    let site = Site { scheme, mesh: &mut *mesh, refinement: &mut *refinement, scratch };
     let change = site.grow(control, |grower| {
-        for leaf in leaves {
+        for &leaf in &leaves {
             grower.split_restricted(leaf)?;
         }
         passes += grower.close_red()?;
-        let selected = |v: &VertexId| selection.contains(*v);
-        followed.extend(grower.made_between(selected));
+        between.extend(grower.made_between(|v| selection.contains(*v)));
         Ok(())
     })?;
-    Ok((change, followed.into_iter().collect(), passes))
+    let followed = match selection.elements() {
+        Elements::Faces(_) => parts::shown(&refinement.hierarchy, mesh.rotation(), leaves),
+        _ => selection.vertices().iter().copied().chain(between).collect(),
+    };
+    Ok((change, followed, passes))
 }
 
 /// Shows what became of a hierarchy in which these vertices are new, or none any more.

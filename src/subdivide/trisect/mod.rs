@@ -62,7 +62,7 @@ pub(super) fn step(scheme: &Sqrt3, exact: bool, request: Request<'_, '_>) -> Res
         history.record(SplitKind::Trisect, mesh.vertex_count(), made, &[], max_valence);
         Step {
             selection: follow(selection, plan.faces(), mesh.vertex_count(), scratch),
-            selected: selection.len(),
+            selected: selection.vertices().len(),
             region: vertices.len(),
             split_edges: plan.faces().iter().filter(|face| face.cutting().is_some()).count(),
             passes: 1,

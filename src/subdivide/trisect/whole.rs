@@ -35,7 +35,7 @@ pub(super) fn step(scheme: &Sqrt3, request: Request<'_, '_>) -> Result<Step, Ref
     history.record_whole(SplitKind::Trisect, all, whole::max_valence(rotation, old, 6));
     Ok(Step {
         selection: followed,
-        selected: selection.len(),
+        selected: selection.vertices().len(),
         region: old,
         split_edges: cut,
         passes: 1,
