@@ -48,6 +48,9 @@ fn runs_of_one_level_make_what_one_run_makes() {
         }
     }
     assert_goes_on(&desk, "grid.obj", "--scheme loop --method dynamic --select-each sphere:2,2,0,1.5");
+    for method in METHODS {
+        assert_goes_on(&desk, "torus.off", &format!("--scheme loop --method {method} --select faces:0,1,5,8"));
+    }
     desk.write("sharp.txt", "7 8 1.5\n8 9 2.25\n8 14 1.75\n14 20 inf\n3 - 1.25\n");
     let sharp = "--method incremental --rings 2 --select disk:8,2 --weights warren --sharp sharp.txt --creases chaikin";
     assert_goes_on(&desk, "grid.obj", &format!("--scheme loop {sharp}"));
@@ -84,7 +87,7 @@ fn what_does_not_belong_to_a_state_is_refused() {
         ("[".repeat(1_000_000), "no state of `vv`"),
         (good[..good.len() / 2].to_owned(), "no state of `vv`"),
         (set("/format", json!("something")), "no state of `vv`"),
-        (set("/version", json!(2)), "version 2 of the format is not read"),
+        (set("/version", json!(1)), "version 1 of the format is not read"),
         (set("/boundary", json!("round")), "s.json: "),
         (set("/mesh/positions/3/1", json!(nan)), "the position of vertex 3 is not finite"),
         (set("/mesh/positions/3", json!([1, 2])), "s.json: "),
@@ -94,10 +97,15 @@ fn what_does_not_belong_to_a_state_is_refused() {
         (set("/mesh/sharp_edges", json!([[0, 29, 0]])), "the sharp edge 0-29 does not exist"),
         (set("/mesh/sharp_edges", json!([[0, 1, nan]])), "sharpness"),
         (set("/mesh/sharp_vertices", json!([[4_294_967_295_u32, 0]])), "a sharp vertex does not exist"),
-        (set("/steps/0", json!([[0, 4_294_967_295_u32]])), "step 1 selects vertices that do not exist"),
-        (set("/steps/0", json!([[5, 4]])), "step 1 selects vertices"),
-        (set("/steps/0", json!([[5, 7], [1, 2]])), "step 1 selects vertices"),
-        (set("/steps", json!(vec![vec![[0, 30]]; 9])), "cannot be made again"),
+        (set("/steps/0", json!({"vertices": [[0, 4_294_967_295_u32]]})), "step 1 selects vertices that do not exist"),
+        (set("/steps/0", json!({"vertices": [[5, 4]]})), "step 1 selects vertices"),
+        (set("/steps/0", json!({"vertices": [[5, 7], [1, 2]]})), "step 1 selects vertices"),
+        (set("/steps/0", json!({"edges": [[0, 30]]})), "step 1 selects vertices"),
+        (set("/steps/0", json!({"edges": [[0, 29]]})), "cannot be made again: the selection names the edge v0-v29"),
+        (set("/steps/0", json!({"faces": [[0, 1, 4_294_967_295_u32]]})), "step 1 selects vertices"),
+        (set("/steps/0", json!({"faces": [[0, 1, 2]]})), "cannot be made again: the selection names the face (0 1 2)"),
+        (set("/steps/0", json!([[0, 1]])), "s.json: "),
+        (set("/steps", json!(vec![json!({"vertices": [[0, 30]]}); 9])), "cannot be made again"),
     ];
     for (text, words) in bad {
         desk.write("s.json", &text);

@@ -9,13 +9,19 @@ use vvmesh::scheme::LoopWeights;
 
 /// What an expression may be, for the help of the options that take one.
 const EXPRESSIONS: &str = "\
-Expressions (vertices count from 0):
+Expressions (vertices and faces count from 0, polygons after they are cut into triangles):
   all                   every vertex
   vertices:1,2,3        these vertices; vertices:@FILE reads them from a file
   disk:V,R              all within R edges of vertex V
   sphere:x,y,z,radius   all within a distance of a point
   dihedral:DEG          ends and opposite vertices of edges folded by more than DEG degrees
+  faces:1,2,3           these faces; faces:@FILE reads them from a file
+  normal-angle:DEG      faces at edges folded by more than DEG degrees; normal-angle:DEG+neighbors also
+                        those that share an edge with them
   !E   E & E   E | E    not, and, or, in the order in which they bind; parentheses group
+
+A face stands for itself among faces; with vertices beside it, or where vertices are asked for, it
+is its corners. `simple` splits all edges of selected faces, red-green methods these faces.
 
 ";
 
@@ -101,13 +107,14 @@ pub(crate) struct CheckArguments {
     pub(crate) json: bool,
 }
 
-/// Tell which vertices an expression picks, without refining
+/// Tell which vertices or faces an expression picks, without refining
 #[derive(Args, Debug)]
 #[command(after_help = format!("\
 {EXPRESSIONS}Example:
   vv select spot.obj --select 'dihedral:40 & !disk:0,5' > ids.txt
 
-The ids are printed one a line, so the output can be given back as vertices:@ids.txt."))]
+The ids are printed one a line, so the output can be given back as vertices:@ids.txt, of faces as
+faces:@ids.txt; of edges both ends. With --rings it is always vertices."))]
 pub(crate) struct SelectArguments {
     /// The mesh: OBJ, OFF, PLY or STL
     #[arg(value_name = "MESH")]

@@ -58,10 +58,11 @@ struct Columns {
 pub(crate) fn run(arguments: &CompareArguments) -> Result<Exit, Failure> {
     let (expression, _) = input::parse_expression("--select", &arguments.select)?;
     let scheme = AnyScheme::named(&arguments.scheme.to_string())?;
-    let mesh = input::read_mesh(&arguments.mesh)?;
+    let (mesh, face_numbers) = input::read_mesh(&arguments.mesh)?;
+    let expression = expression.with_faces_numbered_by(face_numbers);
     let selection = input::evaluate("--select", &expression, &mesh, &mut Scratch::new())?;
     if selection.is_empty() {
-        note(format_args!("--select '{}' picks no vertex", arguments.select));
+        note(format_args!("--select '{}' picks nothing", arguments.select));
     }
 
     let mut bar = Bar::new();

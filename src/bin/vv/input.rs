@@ -1,13 +1,14 @@
 //! From a file to faces, and from faces to a mesh; what was done on the way is told.
 
 use std::path::Path;
+use std::sync::Arc;
 
-use vvmesh::Mesh;
 use vvmesh::error::{BuildError, ReadError};
 use vvmesh::io::{self, FaceAttributes, Format, Loaded, Note, NoteKind, ObjTags};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Expression, Selection};
 use vvmesh::soup::{FaceList, Triangulation};
+use vvmesh::{Mesh, Triangle, VertexId};
 
 use crate::console::{Failure, note, refuse};
 use crate::table::count;
@@ -26,14 +27,30 @@ fn tell<'a>(path: &Path, notes: impl IntoIterator<Item = &'a Note>) {
 }
 
 /// Reads a file and makes a mesh of it; polygons are cut into triangles, and that is told.
-pub(crate) fn read_mesh(path: &Path) -> Result<Mesh, Failure> {
+pub(crate) fn read_mesh(path: &Path) -> Result<(Mesh, FaceNumbers), Failure> {
     let faces = read(path)?.faces;
-    mesh_of(path, &faces, triangulation(path, &faces)?.as_ref())
+    let cut = triangulation(path, &faces)?;
+    Ok((mesh_of(path, &faces, cut.as_ref())?, face_numbers(&faces, cut.as_ref())))
+}
+
+/// The faces of a mesh in the order of its file, those of a polygon as it was cut into triangles.
+pub(crate) type FaceNumbers = Arc<[Triangle]>;
+
+fn face_numbers(faces: &FaceList, cut: Option<&Triangulation>) -> FaceNumbers {
+    let triangle = |corners: &[u32]| {
+        let [a, b, c] = [0, 1, 2].map(|k| VertexId::new(corners[k] as usize));
+        Triangle::new(a, b, c)
+    };
+    match cut {
+        None => faces.faces().map(triangle).collect(),
+        Some(cut) => cut.triangles.iter().map(|corners| triangle(corners)).collect(),
+    }
 }
 
 /// A mesh, and what its file says beside.
 pub(crate) struct Input {
     pub(crate) mesh: Mesh,
+    pub(crate) face_numbers: FaceNumbers,
     /// The triangles in the order of the file, and what it says of them; `None` if it says nothing.
     pub(crate) said: Option<(FaceList, FaceAttributes)>,
     /// The tag lines of the file, if they were asked for.
@@ -65,6 +82,7 @@ pub(crate) fn read_mesh_with_attributes(path: &Path, with_tags: bool) -> Result<
     let Loaded { faces, attributes, .. } = loaded;
     let cut = triangulation(path, &faces)?;
     let mesh = mesh_of(path, &faces, cut.as_ref())?;
+    let face_numbers = face_numbers(&faces, cut.as_ref());
     let said = (!attributes.is_empty()).then(|| match cut {
         Some(cut) => {
             let attributes = attributes.of_triangles(&faces, &cut);
@@ -72,7 +90,7 @@ pub(crate) fn read_mesh_with_attributes(path: &Path, with_tags: bool) -> Result<
         }
         None => (faces, attributes),
     });
-    Ok(Input { mesh, said, tags })
+    Ok(Input { mesh, face_numbers, said, tags })
 }
 
 /// The triangles of a list of faces if some are polygons, which is told.

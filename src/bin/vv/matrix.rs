@@ -27,13 +27,15 @@ struct Sizes {
 pub(crate) fn run(arguments: &MatrixArguments) -> Result<Outcome, Failure> {
     let mut bar = Bar::new();
     let MatrixArguments { output, refine: asked, json } = arguments;
-    let (subdivider, selecting) = refine::prepare(asked)?;
+    let (subdivider, mut selecting) = refine::prepare(asked)?;
     if !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("mtx")) {
         return refuse(format!("{OUT}: {}: the name must end in .mtx", output.display()));
     }
     outputs::check(&[(OUT, output)], &refine::inputs(asked, &selecting))?;
 
-    let Input { mut mesh, tags, .. } = input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
+    let Input { mut mesh, face_numbers, tags, .. } =
+        input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
+    selecting.number_faces(face_numbers);
     refine::tag(&mut mesh, tags.as_ref(), asked)?;
     let mut matrix = SubdivisionMatrix::new(&mesh);
     let face_limit = FaceLimit::with_matrix(asked, &mesh);

@@ -14,6 +14,7 @@ use vvmesh::{Mesh, VertexId};
 
 use crate::args::{BlocksName, BoundaryName, MethodName, RefineArguments, SchemeName, loop_weights};
 use crate::console::{Failure, note, refuse, warning};
+use crate::input::FaceNumbers;
 use crate::memory::FaceLimit;
 use crate::outputs::{MESH, Named};
 use crate::progress::Bar;
@@ -136,12 +137,17 @@ impl Selecting {
         Ok(Self { option, expression, files, each_level })
     }
 
+    /// Takes the numbers that faces have in the file.
+    pub(crate) fn number_faces(&mut self, numbers: FaceNumbers) {
+        self.expression = self.expression.clone().with_faces_numbered_by(numbers);
+    }
+
     /// Evaluates the expression on the mesh as it is; picking nothing is legal, and told.
     pub(crate) fn select(&self, run: &mut Run) -> Result<(), Failure> {
         run.selection = input::evaluate(self.option, &self.expression, &run.mesh, &mut run.scratch)?;
         if run.selection.is_empty() {
             let level = if self.each_level { format!("level {}: ", run.next_level()) } else { String::new() };
-            note(format_args!("{level}{} picks no vertex", self.option));
+            note(format_args!("{level}{} picks nothing", self.option));
         }
         Ok(())
     }

@@ -107,7 +107,7 @@ impl Run {
         };
         Totals {
             sizes: self.sizes(),
-            selected: self.selection.len(),
+            selected: self.selection.vertices().len(),
             certified,
             seconds: self.levels.iter().map(|row| row.seconds).sum(),
         }

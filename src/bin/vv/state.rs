@@ -18,9 +18,9 @@ use serde::{Deserialize, Serialize};
 use vvmesh::glam::DVec3;
 use vvmesh::io::write_atomically;
 use vvmesh::mesh::{Sharpness, SharpnessRule};
-use vvmesh::select::Selection;
+use vvmesh::select::{Elements, Selection};
 use vvmesh::subdivide::Control;
-use vvmesh::{Edge, Mesh, VertexId};
+use vvmesh::{Edge, Mesh, Triangle, VertexId};
 
 use crate::args::{BoundaryName, RefineArguments};
 use crate::console::{Failure, json, refuse};
@@ -30,7 +30,7 @@ use crate::run::Run;
 use crate::table::count;
 
 const FORMAT: &str = "vv state";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// What every version says first.
 #[derive(Deserialize)]
@@ -51,8 +51,17 @@ pub(crate) struct State {
     select: String,
     boundary: String,
     mesh: SavedMesh,
-    /// What was selected in each step: runs of ids, each as its first and the one behind its last.
-    steps: Vec<Vec<[u32; 2]>>,
+    /// What was selected in each step.
+    steps: Vec<Selected>,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Selected {
+    /// Runs of ids, each as its first and the one behind its last.
+    Vertices(Vec<[u32; 2]>),
+    Edges(Vec<[u32; 2]>),
+    Faces(Vec<[u32; 3]>),
 }
 
 #[derive(Serialize, Deserialize)]
@@ -123,14 +132,17 @@ impl State {
 
     /// Makes the steps again.
     pub(crate) fn replay(&self, run: &mut Run, path: &Path, limit: FaceLimit) -> Result<(), Failure> {
-        for (number, ranges) in self.steps.iter().enumerate() {
+        for (number, selected) in self.steps.iter().enumerate() {
             let step = number + 1;
-            let inside = |&[start, end]: &[u32; 2]| start < end && end as usize <= run.mesh.vertex_count();
-            if !ranges.iter().all(inside) || !ranges.is_sorted_by(|one, other| one[1] < other[0]) {
-                return refused(path, format_args!("step {step} selects vertices that do not exist, or not in order"));
-            }
-            let vertices = ranges.iter().flat_map(|&[start, end]| start..end);
-            run.selection = vertices.map(|v| VertexId::new(v as usize)).collect();
+            run.selection = match selected.restore(run.mesh.vertex_count()) {
+                Some(selection) => selection,
+                None => {
+                    return refused(
+                        path,
+                        format_args!("step {step} selects vertices that do not exist, or not in order"),
+                    );
+                }
+            };
             let mut control = Control { max_faces: Some(limit.faces), ..Control::default() };
             if let Err(error) = run.step(&mut control) {
                 return refused(path, format_args!("step {step} cannot be made again: {error}"));
@@ -146,7 +158,7 @@ impl State {
 
     /// Writes how to go on after a run.
     pub(crate) fn write(mut self, path: &Path, run: &Run, expression: &str) -> Result<(), Failure> {
-        self.steps = run.selections.iter().flatten().map(ranges).collect();
+        self.steps = run.selections.iter().flatten().map(Selected::of).collect();
         expression.clone_into(&mut self.select);
         let text = json(&self)?;
         Ok(write_atomically(path, |out| out.write_all(text.as_bytes()))?)
@@ -195,9 +207,35 @@ fn how(arguments: &RefineArguments) -> String {
     how
 }
 
-fn ranges(selection: &Selection) -> Vec<[u32; 2]> {
+impl Selected {
+    fn of(selection: &Selection) -> Self {
+        let id = |v: VertexId| v.index() as u32;
+        match selection.elements() {
+            Elements::Vertices(vertices) => Self::Vertices(ranges(vertices)),
+            Elements::Edges(edges) => Self::Edges(edges.iter().map(|edge| edge.ends().map(id)).collect()),
+            Elements::Faces(faces) => Self::Faces(faces.iter().map(|face| face.corners().map(id)).collect()),
+        }
+    }
+
+    /// The selection, if a mesh with so many vertices can have it.
+    fn restore(&self, vertex_count: usize) -> Option<Selection> {
+        let id = |v: u32| Some(v as usize).filter(|&v| v < vertex_count).map(VertexId::new);
+        match self {
+            Self::Vertices(ranges) => {
+                let is_run = |&[start, end]: &[u32; 2]| start < end;
+                let are_apart = ranges.iter().all(is_run) && ranges.is_sorted_by(|one, other| one[1] < other[0]);
+                let ids = ranges.iter().flat_map(|&[start, end]| start..end);
+                are_apart.then(|| ids.map(id).collect())?
+            }
+            Self::Edges(edges) => edges.iter().map(|&[a, b]| Some(Edge::new(id(a)?, id(b)?))).collect(),
+            Self::Faces(faces) => faces.iter().map(|&[a, b, c]| Some(Triangle::new(id(a)?, id(b)?, id(c)?))).collect(),
+        }
+    }
+}
+
+fn ranges(vertices: &[VertexId]) -> Vec<[u32; 2]> {
     let mut ranges: Vec<Range<u32>> = Vec::new();
-    for v in selection.vertices().iter().map(|v| v.index() as u32) {
+    for v in vertices.iter().map(|v| v.index() as u32) {
         match ranges.last_mut() {
             Some(last) if last.end == v => last.end += 1,
             _ => ranges.push(v..v + 1),

@@ -29,14 +29,16 @@ use crate::{input, limit, refine, tsv};
 pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
     let mut bar = Bar::new();
     let asked = &arguments.refine;
-    let (subdivider, selecting) = refine::prepare(asked)?;
+    let (subdivider, mut selecting) = refine::prepare(asked)?;
     check_outputs(arguments, &selecting)?;
 
     let begun = match &arguments.state {
         Some(path) => State::read(path, asked)?.map(|state| (path.as_path(), state)),
         None => None,
     };
-    let Input { mesh, said, tags } = input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
+    let Input { mesh, face_numbers, said, tags } =
+        input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
+    selecting.number_faces(face_numbers);
     let said = attributes::to_take_along(arguments, &mesh, said)?;
     let limit = match said {
         Some(_) => FaceLimit::with_attributes(asked),

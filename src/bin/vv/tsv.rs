@@ -29,7 +29,8 @@ pub(crate) fn vertices(run: &Run, out: &mut impl Write) -> io::Result<()> {
     Ok(())
 }
 
-/// One line a face in the order of the output: `id level kind selected`. A face is selected if its corners are.
+/// One line a face in the order of the output: `id level kind selected`. A face is selected if it is in a selection
+/// of faces, or its corners are in another.
 ///
 /// The kind is `regular`, or `closure` of what closes a crack; under √3 `even`, or `odd` of what comes before an edge is turned.
 ///
@@ -37,10 +38,6 @@ pub(crate) fn vertices(run: &Run, out: &mut impl Write) -> io::Result<()> {
 pub(crate) fn faces(run: &Run, triangles: impl IntoIterator<Item = Triangle>, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "id\tlevel\tkind\tselected")?;
     let closing: Vec<Edge> = run.history.closing_edges(&run.mesh).unwrap_or_default();
-    let mut selected = vec![false; run.mesh.vertex_count()];
-    for v in run.selection.vertices() {
-        selected[v.index()] = true;
-    }
     for (id, triangle) in triangles.into_iter().enumerate() {
         let (level, closes) = run.history.face_level(triangle, &closing).unwrap_or((0, false));
         let kind = match run.history.split_kind() {
@@ -49,7 +46,7 @@ pub(crate) fn faces(run: &Run, triangles: impl IntoIterator<Item = Triangle>, ou
             _ if closes => "closure",
             _ => "regular",
         };
-        let is_selected = triangle.corners().iter().all(|v| selected[v.index()]);
+        let is_selected = run.selection.contains_face(triangle);
         writeln!(out, "{id}\t{level}\t{kind}\t{}", u8::from(is_selected))?;
     }
     Ok(())
