@@ -103,7 +103,10 @@ fn what_does_not_belong_to_a_state_is_refused() {
         (set("/steps/0", json!({"edges": [[0, 30]]})), "step 1 selects vertices"),
         (set("/steps/0", json!({"edges": [[0, 29]]})), "cannot be made again: the selection names the edge v0-v29"),
         (set("/steps/0", json!({"faces": [[0, 1, 4_294_967_295_u32]]})), "step 1 selects vertices"),
-        (set("/steps/0", json!({"faces": [[0, 1, 2]]})), "cannot be made again: the selection names the face (0 1 2)"),
+        (
+            set("/steps/0", json!({"faces": [[0, 1, 2]]})),
+            "cannot be made again: the selection names the face (v0 v1 v2)",
+        ),
         (set("/steps/0", json!([[0, 1]])), "s.json: "),
         (set("/steps", json!(vec![json!({"vertices": [[0, 30]]}); 9])), "cannot be made again"),
     ];
