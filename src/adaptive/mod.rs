@@ -1,8 +1,8 @@
 //! Adaptive methods: which region a step refines for a selection.
 //!
-//! A method is a policy. It computes no weight and splits no edge; what it chooses is refined and closed in the same way
-//! for all of them. *Uniform* takes everything, *simple* the selection as it is, *incremental* the selection with the
-//! rings around it.
+//! A method is a policy. It moves no vertex and splits no edge; what it chooses is refined and closed in the same way
+//! for all of them. *Uniform* takes everything, *simple* the selection as it is, or [what of it would
+//! move](SimpleMoving), *incremental* the selection with the rings around it.
 //!
 //! *Red-green* with restriction and without, *dynamic* and *static/mobile* choose by more than the mesh and the selection. They
 //! are no methods of this kind but ways in which a [`Subdivider`](crate::subdivide::Subdivider) is made.
@@ -12,10 +12,12 @@
 
 mod incremental;
 mod simple;
+mod simple_moving;
 mod uniform;
 
 pub use incremental::Incremental;
 pub use simple::Simple;
+pub use simple_moving::SimpleMoving;
 pub use uniform::Uniform;
 
 use std::fmt;

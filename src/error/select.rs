@@ -29,6 +29,11 @@ pub enum SelectError {
         /// How many faces are listed.
         face_count: usize,
     },
+    /// An expression has one value for each of several levels, and none was chosen.
+    NoLevel {
+        /// How many values.
+        level_count: usize,
+    },
 }
 
 impl fmt::Display for SelectError {
@@ -38,9 +43,12 @@ impl fmt::Display for SelectError {
                 write!(f, "there is no vertex {}: {}", vertex.index(), there_are(*vertex_count, ["vertex", "vertices"]))
             }
             Self::NoEdge(edge) => write!(f, "there is no edge {edge}"),
-            Self::NoFace(face) => write!(f, "there is no face {face}"),
+            Self::NoFace(face) => write!(f, "there is no face {face}; if there was one, it was split"),
             Self::NoFaceNumber { number, face_count } => {
                 write!(f, "there is no face {number}: {}", there_are(*face_count, ["face", "faces"]))
+            }
+            Self::NoLevel { level_count } => {
+                write!(f, "the expression has {level_count} values, one for each level; choose a level")
             }
         }
     }

@@ -18,8 +18,10 @@ Expressions (vertices and faces count from 0, polygons after they are cut into t
   faces:1,2,3           these faces; faces:@FILE reads them from a file
   normal-angle:DEG      faces at edges folded by more than DEG degrees; normal-angle:DEG+neighbors also
                         those that share an edge with them
+                        (with --select-each, DEG may be a list of values, one a level: 10/20/30)
   !E   E & E   E | E    not, and, or, in the order in which they bind; parentheses group
 
+Steps split faces, so those of the file are named with --select, and followed by what is made of them.
 A face stands for itself among faces; with vertices beside it, or where vertices are asked for, it
 is its corners. `simple` splits all edges of selected faces, red-green methods these faces.
 
@@ -263,8 +265,9 @@ pub(crate) struct RefineArguments {
     /// Which weights make the new positions; `sqrt3` also splits triangles in its own way, in three instead of four
     #[arg(long)]
     pub(crate) scheme: SchemeName,
-    /// How many steps; 0 copies the mesh. With `mobile` as many as it takes, but no more than this if it is given
-    #[arg(long, value_name = "N", allow_negative_numbers = true, required_unless_present = "accuracy")]
+    /// How many steps; 0 copies the mesh. With `mobile` as many as it takes, but no more than this if it is given; with
+    /// lists in --select-each as many as they have values
+    #[arg(long, value_name = "N", allow_negative_numbers = true, required_unless_present_any = ["accuracy", "select_each"])]
     pub(crate) levels: Option<u8>,
     /// What each step refines: everything; the selection; the selection with the rings around it; the faces inside the
     /// selection, closed anew in each step; the same with what it needs to be exact; all faces around selected vertices,
@@ -282,9 +285,16 @@ pub(crate) struct RefineArguments {
     /// Which vertices, chosen once and followed through the levels; see below [default: all]
     #[arg(long, value_name = "EXPR", conflicts_with = "select_each")]
     pub(crate) select: Option<String>,
-    /// Which vertices, chosen anew at every level; see below
+    /// Which vertices, chosen anew at every level; see below. A threshold may be a list of values, one a level
     #[arg(long, value_name = "EXPR")]
     pub(crate) select_each: Option<String>,
+    /// Which diagonal faces with two split edges get, which `simple` and `mobile` make: the longest, the shortest, that from
+    /// the end of smaller valence, or of smaller id [default: valence]
+    #[arg(long)]
+    pub(crate) diagonal: Option<DiagonalName>,
+    /// Do not split edges whose new vertex would be nearer than this to their middle, by `simple` under `butterfly`
+    #[arg(long, value_name = "TAU", value_parser = distance, allow_negative_numbers = true)]
+    pub(crate) min_move: Option<f64>,
     /// Weights of smooth vertices under `loop` [default: loop]
     #[arg(long)]
     pub(crate) weights: Option<WeightsName>,
@@ -416,6 +426,14 @@ pub(crate) enum BlocksName {
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum DiagonalName {
+    Longest,
+    Shortest,
+    Valence,
+    Id,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum MethodName {
     Uniform,
     Simple,
@@ -525,7 +543,7 @@ macro_rules! print_as_typed {
     };
 }
 
-print_as_typed!(SchemeName, LimitName, MethodName, BlocksName, WeightsName, BoundaryName, CreasesName);
+print_as_typed!(SchemeName, LimitName, MethodName, DiagonalName, BlocksName, WeightsName, BoundaryName, CreasesName);
 
 fn accuracy(text: &str) -> Result<Accuracy, String> {
     let accuracy = text.parse().ok().and_then(|distance| Accuracy::new(distance).ok());

@@ -124,6 +124,9 @@ fn mesh_of(path: &Path, faces: &FaceList, cut: Option<&Triangulation>) -> Result
     mesh.map_err(|error| Failure(format!("{}: {counted}{error}", path.display())))
 }
 
+/// The option whose expression is evaluated at every level, and may have a value for each.
+pub(crate) const SELECT_EACH: &str = "--select-each";
+
 /// An expression given with an option, and the files that it named.
 pub(crate) fn parse_expression(option: &str, text: &str) -> Result<(Expression, Vec<std::path::PathBuf>), Failure> {
     let mut files = Vec::new();
@@ -132,6 +135,9 @@ pub(crate) fn parse_expression(option: &str, text: &str) -> Result<(Expression, 
         std::fs::read_to_string(path)
     });
     match expression {
+        Ok(expression) if expression.level_count().is_some() && option != SELECT_EACH => refuse(format!(
+            "{option} '{text}': it is evaluated once, and a list has a value for each level; a list belongs to {SELECT_EACH}"
+        )),
         Ok(expression) => Ok((expression, files)),
         Err(error) => refuse(format!("{option} '{text}': {error}")),
     }

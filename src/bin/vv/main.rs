@@ -58,8 +58,8 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Select(arguments) => select::run(&arguments),
-        Command::Subdivide(arguments) => subdivide::run(&arguments),
-        Command::Matrix(arguments) => matrix::run(&arguments),
+        Command::Subdivide(mut arguments) => subdivide::run(&mut arguments),
+        Command::Matrix(mut arguments) => matrix::run(&mut arguments),
         Command::Limit(arguments) => limit::run(&arguments),
         Command::Predict(arguments) => predict::run(&arguments),
     };

@@ -24,10 +24,10 @@ struct Sizes {
     bytes: usize,
 }
 
-pub(crate) fn run(arguments: &MatrixArguments) -> Result<Outcome, Failure> {
+pub(crate) fn run(arguments: &mut MatrixArguments) -> Result<Outcome, Failure> {
     let mut bar = Bar::new();
-    let MatrixArguments { output, refine: asked, json } = arguments;
-    let (subdivider, mut selecting) = refine::prepare(asked)?;
+    let (subdivider, mut selecting) = refine::prepare(&mut arguments.refine)?;
+    let MatrixArguments { output, refine: asked, json } = &*arguments;
     if !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("mtx")) {
         return refuse(format!("{OUT}: {}: the name must end in .mtx", output.display()));
     }
@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &MatrixArguments) -> Result<Outcome, Failure> {
     let certificate = refine::scheme(asked).reach().is_some() && asked.method != MethodName::Uniform;
     let keep = Keep { names: false, certificate };
     let mut run = refine::begin(mesh, asked, subdivider, keep, face_limit)?;
-    selecting.select(&mut run)?;
+    selecting.select(&mut run, 1)?;
     refine::refine(&mut run, asked, &selecting, face_limit, Some(&mut matrix), &mut bar)?;
     let weights = match limit::of_refinement(asked) {
         Ok(limit) if asked.limit => {

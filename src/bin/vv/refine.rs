@@ -2,19 +2,20 @@
 
 use std::path::PathBuf;
 
-use vvmesh::adaptive::Incremental;
+use vvmesh::adaptive::{Incremental, SimpleMoving};
 use vvmesh::certify::Certificate;
 use vvmesh::error::{ConfigError, RefineError};
 use vvmesh::io::ObjTags;
 use vvmesh::scheme::{AnyScheme, Butterfly, FourEight, Loop, Midpoint, ModifiedButterfly, Sqrt3};
 use vvmesh::select::Expression;
+use vvmesh::split::Diagonal;
 use vvmesh::step::{Blocks, Cause, Keep, SplitKind, Spoiler};
 use vvmesh::subdivide::{AnyMethod, Control, Follower, Subdivider};
 use vvmesh::{Mesh, VertexId};
 
-use crate::args::{BlocksName, BoundaryName, MethodName, RefineArguments, SchemeName, loop_weights};
+use crate::args::{BlocksName, BoundaryName, DiagonalName, MethodName, RefineArguments, SchemeName, loop_weights};
 use crate::console::{Failure, note, refuse, warning};
-use crate::input::FaceNumbers;
+use crate::input::{FaceNumbers, SELECT_EACH};
 use crate::memory::FaceLimit;
 use crate::outputs::{MESH, Named};
 use crate::progress::Bar;
@@ -25,11 +26,28 @@ use crate::{input, limit, sharp};
 /// How many examples a warning gives.
 const EXAMPLES: usize = 3;
 
-/// Looks at the arguments before any work is done.
-pub(crate) fn prepare(arguments: &RefineArguments) -> Result<(Subdivider, Selecting), Failure> {
+/// Looks at the arguments before any work is done. Lists of values tell the number of levels, which is noted there.
+pub(crate) fn prepare(arguments: &mut RefineArguments) -> Result<(Subdivider, Selecting), Failure> {
+    let selecting = Selecting::new(arguments)?;
+    arguments.levels = levels(arguments, &selecting)?;
     let scheme = scheme(arguments);
     refuse_without_meaning(arguments, &scheme)?;
-    Ok((subdivider(arguments, scheme)?, Selecting::new(arguments)?))
+    Ok((subdivider(arguments, scheme)?, selecting))
+}
+
+/// How many steps are made, or at most.
+fn levels(arguments: &RefineArguments, selecting: &Selecting) -> Result<Option<u8>, Failure> {
+    let values = selecting.expression.level_count();
+    match (arguments.levels, values) {
+        (Some(levels), Some(values)) if usize::from(levels) != values => refuse(format!(
+            "--levels {levels} does not agree with --select-each, which has {values} values, one a level; leave --levels out"
+        )),
+        (None, None) if arguments.accuracy.is_none() => {
+            refuse("--levels <N> is missing; only a list of values in --select-each takes its place".to_owned())
+        }
+        (None, Some(values)) => Ok(u8::try_from(values).ok()),
+        (levels, _) => Ok(levels),
+    }
 }
 
 /// Tags the input, and answers with the boundary policy.
@@ -84,7 +102,7 @@ pub(crate) fn refine(
     for level in first..=last {
         if selecting.each_level && level > first {
             bar.hide();
-            selecting.select(run)?;
+            selecting.select(run, usize::from(level - first) + 1)?;
         }
         // The reasons are those before the step; a selection that follows needs none.
         let doubts = match run.certificate().zip(reach) {
@@ -132,7 +150,7 @@ pub(crate) struct Selecting {
 impl Selecting {
     fn new(arguments: &RefineArguments) -> Result<Self, Failure> {
         let each_level = arguments.select_each.is_some();
-        let option = if each_level { "--select-each" } else { "--select" };
+        let option = if each_level { SELECT_EACH } else { "--select" };
         let (expression, files) = input::parse_expression(option, expression(arguments))?;
         Ok(Self { option, expression, files, each_level })
     }
@@ -142,9 +160,10 @@ impl Selecting {
         self.expression = self.expression.clone().with_faces_numbered_by(numbers);
     }
 
-    /// Evaluates the expression on the mesh as it is; picking nothing is legal, and told.
-    pub(crate) fn select(&self, run: &mut Run) -> Result<(), Failure> {
-        run.selection = input::evaluate(self.option, &self.expression, &run.mesh, &mut run.scratch)?;
+    /// Evaluates the expression on the mesh as it is, for so many steps from now; picking nothing is legal, and told.
+    pub(crate) fn select(&self, run: &mut Run, step: usize) -> Result<(), Failure> {
+        let expression = self.expression.at_level(step).expect("there are as many steps as values");
+        run.selection = input::evaluate(self.option, &expression, &run.mesh, &mut run.scratch)?;
         if run.selection.is_empty() {
             let level = if self.each_level { format!("level {}: ", run.next_level()) } else { String::new() };
             note(format_args!("{level}{} picks nothing", self.option));
@@ -176,8 +195,33 @@ fn blocks(arguments: &RefineArguments) -> Blocks {
 }
 
 fn subdivider(arguments: &RefineArguments, scheme: AnyScheme) -> Result<Subdivider, Failure> {
-    let subdivider = method(arguments).and_then(|method| Subdivider::of(scheme, method));
-    subdivider.or_else(|error| refuse(format!("--{error}")))
+    let subdivider = match arguments.min_move {
+        Some(least) => SimpleMoving::new(least).map(|method| Subdivider::new(scheme, method)),
+        None => method(arguments).and_then(|method| Subdivider::of(scheme, method)),
+    };
+    match subdivider {
+        Ok(subdivider) => Ok(subdivider.with_diagonal(diagonal(arguments))),
+        Err(error) => refuse(format!("--{error}")),
+    }
+}
+
+/// Whether faces with two split edges may arise, and are cut by a diagonal that can be chosen.
+pub(crate) fn draws_diagonals(arguments: &RefineArguments) -> bool {
+    let in_four = scheme(arguments).split_kind() == SplitKind::Quadrisect;
+    in_four && matches!(arguments.method, MethodName::Simple | MethodName::Mobile)
+}
+
+pub(crate) fn diagonal_name(arguments: &RefineArguments) -> DiagonalName {
+    arguments.diagonal.unwrap_or(DiagonalName::Valence)
+}
+
+fn diagonal(arguments: &RefineArguments) -> Diagonal {
+    match diagonal_name(arguments) {
+        DiagonalName::Longest => Diagonal::Longest,
+        DiagonalName::Shortest => Diagonal::Shortest,
+        DiagonalName::Valence => Diagonal::Valence,
+        DiagonalName::Id => Diagonal::ById,
+    }
 }
 
 fn method(arguments: &RefineArguments) -> Result<AnyMethod, ConfigError> {
@@ -212,6 +256,21 @@ fn refuse_without_meaning(arguments: &RefineArguments, scheme: &AnyScheme) -> Re
             "--accuracy",
             arguments.accuracy.is_some() && *method != MethodName::Mobile,
             format!("--method {method}: only `mobile` looks at limits"),
+        ),
+        (
+            "--diagonal",
+            arguments.diagonal.is_some() && !draws_diagonals(arguments),
+            format!("--scheme {name} --method {method}: no face has two split edges, or it has a rule of its own"),
+        ),
+        (
+            "--min-move",
+            arguments.min_move.is_some() && *method != MethodName::Simple,
+            format!("--method {method}: only `simple` splits each edge for itself"),
+        ),
+        (
+            "--min-move",
+            arguments.min_move.is_some() && *name != SchemeName::Butterfly,
+            format!("--scheme {name}: it is the movement of a new vertex under `butterfly`, which moves no other"),
         ),
         (
             "--limit",

@@ -69,6 +69,10 @@ pub(crate) struct Report {
     pub(crate) boundary: Option<String>,
     /// `None` for schemes that know no finite sharpness.
     pub(crate) creases: Option<String>,
+    /// `None` of methods under which no face has two split edges, or that have a rule of their own.
+    pub(crate) diagonal: Option<String>,
+    /// `None` if edges are split wherever the new vertex goes.
+    pub(crate) min_move: Option<f64>,
     pub(crate) limit: bool,
     /// `None` of methods that do not look at limits.
     pub(crate) accuracy: Option<f64>,

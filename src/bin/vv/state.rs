@@ -203,6 +203,8 @@ fn how(arguments: &RefineArguments) -> String {
     add("--weights", arguments.weights.map(|weights| weights.to_string()));
     add("--blocks", arguments.blocks.map(|blocks| blocks.to_string()));
     add("--rings", arguments.rings.map(|rings| rings.to_string()));
+    add("--diagonal", arguments.diagonal.map(|diagonal| diagonal.to_string()));
+    add("--min-move", arguments.min_move.map(|distance| distance.to_string()));
     add("--accuracy", arguments.accuracy.map(|accuracy| accuracy.distance().to_string()));
     how
 }

@@ -26,10 +26,11 @@ use crate::state::{self, State};
 use crate::table::count;
 use crate::{input, limit, refine, tsv};
 
-pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
+pub(crate) fn run(arguments: &mut SubdivideArguments) -> Result<Outcome, Failure> {
     let mut bar = Bar::new();
+    let (subdivider, mut selecting) = refine::prepare(&mut arguments.refine)?;
+    let arguments = &*arguments;
     let asked = &arguments.refine;
-    let (subdivider, mut selecting) = refine::prepare(asked)?;
     check_outputs(arguments, &selecting)?;
 
     let begun = match &arguments.state {
@@ -50,7 +51,7 @@ pub(crate) fn run(arguments: &SubdivideArguments) -> Result<Outcome, Failure> {
         Some((path, state)) => ready.go_on(&mesh, path, state)?,
     };
     if selecting.each_level || !state.as_ref().is_some_and(|state| state.follows(refine::expression(asked))) {
-        selecting.select(&mut run)?;
+        selecting.select(&mut run, 1)?;
     }
     let input = run.sizes();
     refine::refine(&mut run, asked, &selecting, limit, None, &mut bar)?;
@@ -187,6 +188,8 @@ fn report(arguments: &SubdivideArguments, run: &Run, input: Sizes, boundary: Bou
         each_level: asked.select_each.is_some(),
         boundary: scheme.reads_tags().then(|| boundary.to_string()),
         creases: scheme.blends_sharpness().then(|| creases.to_string()),
+        diagonal: refine::draws_diagonals(asked).then(|| refine::diagonal_name(asked).to_string()),
+        min_move: asked.min_move,
         limit: asked.limit,
         accuracy: asked.accuracy.map(Accuracy::distance),
         closed: !arguments.is_unclosed(),

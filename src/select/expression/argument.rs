@@ -1,8 +1,10 @@
 //! What stands after the name of a criterion: fields separated by commas, or a file.
 
+use std::cell::Cell;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::Expression;
 use crate::error::{ConfigError, ExpressionError, ExpressionErrorKind};
 use crate::id::VertexId;
 
@@ -61,8 +63,20 @@ pub(super) fn excerpt(text: &str) -> String {
     start
 }
 
+/// The lists of values, one a level, that stand in place of single ones.
+#[derive(Debug, Default)]
+pub(super) struct Lists {
+    /// The level that is read, from 0.
+    pub(super) level: Cell<usize>,
+    /// Whether the criterion that is read has a list.
+    pub(super) found: Cell<bool>,
+    /// How long the first list is, and where it stands; all others are as long.
+    pub(super) first: Cell<Option<(usize, usize)>>,
+}
+
 /// What stands between the `:` of a criterion and the end of its arguments.
-pub(super) struct Argument<'t> {
+pub(super) struct Argument<'t, 'l> {
+    pub(super) lists: &'l Lists,
     pub(super) whole: Text<'t>,
     /// Where `text` stands in the whole.
     pub(super) at: usize,
@@ -74,25 +88,25 @@ pub(super) struct Argument<'t> {
     pub(super) form: &'static str,
 }
 
-impl<'t> Argument<'t> {
+impl<'t, 'l> Argument<'t, 'l> {
     /// Whether nothing stands there.
     pub(super) fn is_empty(&self) -> bool {
         self.text.is_empty()
     }
 
     /// The fields, at least one.
-    pub(super) fn fields(&self) -> impl Iterator<Item = Field<'t>> {
-        let (whole, form) = (self.whole, self.form);
+    pub(super) fn fields(&self) -> impl Iterator<Item = Field<'t, 'l>> {
+        let (lists, whole, form) = (self.lists, self.whole, self.form);
         let mut next = self.at;
         self.text.split(',').map(move |text| {
             let at = next + (text.len() - text.trim_start().len());
             next += text.len() + 1;
-            Field { whole, at, text: text.trim(), form }
+            Field { lists, whole, at, text: text.trim(), form }
         })
     }
 
     /// The fields, if there are so many.
-    pub(super) fn exactly<const N: usize>(&self) -> Result<[Field<'t>; N], ExpressionError> {
+    pub(super) fn exactly<const N: usize>(&self) -> Result<[Field<'t, 'l>; N], ExpressionError> {
         if self.is_file {
             return Err(self.wrong_count(N, "a file".to_owned()));
         }
@@ -100,7 +114,7 @@ impl<'t> Argument<'t> {
             return Err(self.wrong_count(N, "none".to_owned()));
         }
         // One more than wanted is enough to refuse.
-        let fields: Vec<Field<'t>> = self.fields().take(N + 1).collect();
+        let fields: Vec<Field<'t, 'l>> = self.fields().take(N + 1).collect();
         fields.try_into().map_err(|_| self.wrong_count(N, self.fields().count().to_string()))
     }
 
@@ -140,14 +154,41 @@ impl<'t> Argument<'t> {
 }
 
 /// One of several arguments.
-pub(super) struct Field<'t> {
+pub(super) struct Field<'t, 'l> {
+    lists: &'l Lists,
     whole: Text<'t>,
     at: usize,
     text: &'t str,
     form: &'static str,
 }
 
-impl Field<'_> {
+impl Field<'_, '_> {
+    /// The value of the level that is read, of a threshold that may be a list of values: `a/b/c`.
+    pub(super) fn at_level(mut self) -> Result<Self, ExpressionError> {
+        let Lists { level, found, first } = self.lists;
+        let length = self.text.split('/').count();
+        if length == 1 {
+            return Ok(self);
+        }
+        let expected = match first.get() {
+            Some((longest, at)) if longest != length => {
+                format!("{longest} values as in column {}", self.whole.column(at))
+            }
+            None if length > Expression::MAX_LEVELS => format!("at most {} values", Expression::MAX_LEVELS),
+            _ => {
+                found.set(true);
+                first.set(first.get().or(Some((length, self.at))));
+                let before: usize = self.text.split('/').take(level.get()).map(|value| value.len() + 1).sum();
+                let value = self.text[before..].split('/').next().unwrap_or_default();
+                self.at = self.whole.after_blanks(self.at + before);
+                self.text = value.trim();
+                return Ok(self);
+            }
+        };
+        let found = format!("{length}");
+        Err(self.whole.error(self.at, ExpressionErrorKind::Expected { expected, found }))
+    }
+
     /// The id of a vertex.
     pub(super) fn vertex(&self, name: &'static str) -> Result<VertexId, ExpressionError> {
         self.read(name, |text| VertexId::read(text, name))

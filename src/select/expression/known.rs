@@ -28,9 +28,9 @@ pub(super) enum Make {
     /// From nothing.
     Alone(fn() -> Arc<dyn Term>),
     /// From the text after `:`.
-    From(fn(&Argument<'_>, ReadFile<'_>) -> Made),
+    From(fn(&Argument<'_, '_>, ReadFile<'_>) -> Made),
     /// The same of faces, whose numbers mean nothing to a mesh alone.
-    Faces(fn(&Argument<'_>, ReadFile<'_>) -> Result<Faces, ExpressionError>),
+    Faces(fn(&Argument<'_, '_>, ReadFile<'_>) -> Result<Faces, ExpressionError>),
 }
 
 /// All of them, in the order in which messages list them.
@@ -55,35 +55,37 @@ impl Known {
     }
 }
 
-fn vertices(argument: &Argument<'_>, read: ReadFile<'_>) -> Made {
+fn vertices(argument: &Argument<'_, '_>, read: ReadFile<'_>) -> Made {
     Ok(Arc::new(argument.ids(read)?.into_iter().collect::<Vertices>()))
 }
 
-fn faces(argument: &Argument<'_>, read: ReadFile<'_>) -> Result<Faces, ExpressionError> {
+fn faces(argument: &Argument<'_, '_>, read: ReadFile<'_>) -> Result<Faces, ExpressionError> {
     Ok(Faces::new(argument.ids(read)?))
 }
 
-fn disk(argument: &Argument<'_>, _: ReadFile<'_>) -> Made {
+fn disk(argument: &Argument<'_, '_>, _: ReadFile<'_>) -> Made {
     let [center, radius] = argument.exactly()?;
     Ok(Arc::new(Disk::new(center.vertex("V")?, radius.count("R")?)))
 }
 
-fn sphere(argument: &Argument<'_>, _: ReadFile<'_>) -> Made {
+fn sphere(argument: &Argument<'_, '_>, _: ReadFile<'_>) -> Made {
     let [x, y, z, radius] = argument.exactly()?;
     let center = DVec3::new(x.number("x")?, y.number("y")?, z.number("z")?);
     let sphere = Sphere::new(center, radius.number("radius")?);
     Ok(Arc::new(sphere.map_err(|error| radius.refused(error))?))
 }
 
-fn dihedral(argument: &Argument<'_>, _: ReadFile<'_>) -> Made {
+fn dihedral(argument: &Argument<'_, '_>, _: ReadFile<'_>) -> Made {
     let [above] = argument.exactly()?;
+    let above = above.at_level()?;
     let dihedral = Dihedral::new(Angle::from_deg(above.number("angle")?));
     Ok(Arc::new(dihedral.map_err(|error| above.refused(error))?))
 }
 
-fn normal_angle(argument: &Argument<'_>, _: ReadFile<'_>) -> Made {
+fn normal_angle(argument: &Argument<'_, '_>, _: ReadFile<'_>) -> Made {
     let [mut above] = argument.exactly()?;
     let and_neighbors = above.take_suffix("+neighbors");
+    let above = above.at_level()?;
     let normal_angle = NormalAngle::new(Angle::from_deg(above.number("angle")?));
     let normal_angle = normal_angle.map_err(|error| above.refused(error))?;
     Ok(Arc::new(if and_neighbors { normal_angle.and_neighbors() } else { normal_angle }))

@@ -33,6 +33,9 @@ use crate::scratch::Scratch;
 /// | `normal-angle:DEG+neighbors` | the same, and the faces that share an edge with them |
 /// | `!E`, `E & E`, <code>E &#124; E</code>, `(E)` | not, and, or; `!` binds tightest, then `&` |
 ///
+/// A threshold (DEG) may be a list of values, one for each level: `normal-angle:10/20/30`. All lists of an expression are of
+/// one length. Such an expression selects nothing before a level is chosen; see [`Expression::at_level`].
+///
 /// Criteria answer with vertices, edges or faces. A chain of `&` or `|` over answers of one kind is of that kind; in any other
 /// chain edges become their ends and faces their corners before they are combined, in whatever order they stand.
 ///
@@ -41,7 +44,7 @@ use crate::scratch::Scratch;
 /// quotes holds no double quote. Ids count from 0.
 ///
 /// An expression prints in one form that reads back as the same: without blanks and needless parentheses, ids ascending,
-/// and with the ids of a file in place of its name.
+/// and with the ids of a file in place of its name. A criterion with lists prints as it was typed.
 ///
 /// ```
 /// use vvmesh::scratch::Scratch;
@@ -55,13 +58,22 @@ use crate::scratch::Scratch;
 /// # Ok::<(), vvmesh::error::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Expression(Node);
+pub struct Expression {
+    node: Node,
+    /// How long its lists of values are, if it has any.
+    level_count: Option<usize>,
+}
 
 /// One criterion or a combination. `And` and `Or` hold two parts or more and none of their own kind, so a long chain is
 /// not deep; what else stands inside each other is bounded when it is read.
 #[derive(Clone, Debug)]
 enum Node {
     Criterion(Arc<dyn Term>),
+    /// A criterion with lists of values, as it prints and as it is at each level.
+    PerLevel {
+        text: String,
+        terms: Vec<Arc<dyn Term>>,
+    },
     Faces(Faces),
     Not(Box<Node>),
     And(Vec<Node>),
@@ -79,23 +91,50 @@ impl Expression {
     /// It bounds the stack, and the selections that are held at once while the expression is evaluated.
     pub const MAX_DEPTH: usize = 64;
 
+    /// How many values a list may have.
+    pub const MAX_LEVELS: usize = u8::MAX as usize;
+
     /// Reads an expression; `read` answers with the text of a file that it names.
     ///
     /// # Errors
     /// With the column, what was expected there and what was found: the text is no expression, there is no such
-    /// criterion, a number is not one or out of its range, a file could not be read or holds no ids. Whether a vertex
+    /// criterion, a number is not one or out of its range, lists are not of one length, a file could not be read or holds no ids. Whether a vertex
     /// exists is seen only when the expression is applied to a mesh.
     ///
     /// # Complexity
     /// O(text and files), and O(n log n) for lists of n ids.
     pub fn parse(text: &str, read: &mut dyn FnMut(&Path) -> io::Result<String>) -> Result<Self, ExpressionError> {
-        parse::parse(text, read).map(Self)
+        parse::parse(text, read)
+    }
+
+    /// How many values its lists have, one a level; `None` if it has no list, and is the same at every level.
+    #[must_use]
+    pub fn level_count(&self) -> Option<usize> {
+        self.level_count
+    }
+
+    /// What it is at a level, counted from 1: with one value in place of each list. `None` for 0, and behind the end of lists.
+    ///
+    /// ```
+    /// use vvmesh::select::Expression;
+    ///
+    /// let expression = Expression::parse("normal-angle:10/20/30 | !dihedral:1/2/3 & all", &mut |_| Ok(String::new()))?;
+    /// assert_eq!(expression.level_count(), Some(3));
+    /// let second = expression.at_level(2).expect("there are three");
+    /// assert_eq!(second.to_string(), "normal-angle:20|!dihedral:2&all");
+    /// assert!(expression.at_level(4).is_none());
+    /// # Ok::<(), vvmesh::error::Error>(())
+    /// ```
+    #[must_use]
+    pub fn at_level(&self, level: usize) -> Option<Self> {
+        let place = level.checked_sub(1).filter(|&place| self.level_count.is_none_or(|count| place < count))?;
+        Some(Self { node: self.node.at(place), level_count: None })
     }
 
     /// The same with the numbers that faces have in this list; see [`Faces::numbered_by`].
     #[must_use]
     pub fn with_faces_numbered_by(mut self, list: impl Into<Arc<[Triangle]>>) -> Self {
-        self.0.number_faces(&list.into());
+        self.node.number_faces(&list.into());
         self
     }
 
@@ -107,7 +146,7 @@ impl Expression {
 
 impl Criterion for Expression {
     fn select(&self, mesh: &Mesh, scratch: &mut Scratch) -> Result<Selection, SelectError> {
-        self.0.select(mesh, scratch)
+        self.node.select(mesh, scratch)
     }
 }
 
@@ -115,6 +154,7 @@ impl Criterion for Node {
     fn select(&self, mesh: &Mesh, scratch: &mut Scratch) -> Result<Selection, SelectError> {
         match self {
             Self::Criterion(criterion) => criterion.select(mesh, scratch),
+            Self::PerLevel { terms, .. } => Err(SelectError::NoLevel { level_count: terms.len() }),
             Self::Faces(faces) => faces.select(mesh, scratch),
             Self::Not(inner) => Ok(inner.select(mesh, scratch)?.complement(mesh)),
             Self::And(parts) => {
@@ -149,7 +189,7 @@ impl Criterion for Node {
 
 impl fmt::Display for Expression {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
+        self.node.fmt(f)
     }
 }
 
@@ -157,6 +197,7 @@ impl fmt::Display for Node {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (sign, parts) = match self {
             Self::Criterion(criterion) => return criterion.fmt(f),
+            Self::PerLevel { text, .. } => return f.write_str(text),
             Self::Faces(faces) => return faces.fmt(f),
             Self::Not(inner) => {
                 f.write_str("!")?;
@@ -174,9 +215,21 @@ impl fmt::Display for Node {
 }
 
 impl Node {
+    /// The same with the value at a place of each list.
+    fn at(&self, place: usize) -> Self {
+        let parts = |parts: &[Self]| parts.iter().map(|part| part.at(place)).collect();
+        match self {
+            Self::Criterion(_) | Self::Faces(_) => self.clone(),
+            Self::PerLevel { terms, .. } => Self::Criterion(Arc::clone(&terms[place])),
+            Self::Not(inner) => Self::Not(Box::new(inner.at(place))),
+            Self::And(all) => Self::And(parts(all)),
+            Self::Or(all) => Self::Or(parts(all)),
+        }
+    }
+
     fn number_faces(&mut self, list: &Arc<[Triangle]>) {
         match self {
-            Self::Criterion(_) => {}
+            Self::Criterion(_) | Self::PerLevel { .. } => {}
             Self::Faces(faces) => *faces = std::mem::take(faces).numbered_by(Arc::clone(list)),
             Self::Not(inner) => inner.number_faces(list),
             Self::And(parts) | Self::Or(parts) => parts.iter_mut().for_each(|part| part.number_faces(list)),
@@ -193,7 +246,7 @@ impl Node {
             Self::Or(_) => 0,
             Self::And(_) => 1,
             Self::Not(_) => 2,
-            Self::Criterion(_) | Self::Faces(_) => 3,
+            Self::Criterion(_) | Self::PerLevel { .. } | Self::Faces(_) => 3,
         }
     }
 }

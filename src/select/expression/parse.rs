@@ -6,17 +6,18 @@
 //! single = "!" single | "(" either ")" | name [ ":" argument ]
 //! ```
 
-use super::argument::{Argument, ReadFile, Text, excerpt, is_sign};
+use super::argument::{Argument, Lists, ReadFile, Text, excerpt, is_sign};
 use super::known::{Known, Make};
 use super::{Expression, Node};
 use crate::error::{ExpressionError, ExpressionErrorKind};
 
 /// Reads a whole text.
-pub(super) fn parse(text: &str, read: ReadFile<'_>) -> Result<Node, ExpressionError> {
-    let mut parser = Parser { whole: Text(text), at: 0, depth: 0, read };
+pub(super) fn parse(text: &str, read: ReadFile<'_>) -> Result<Expression, ExpressionError> {
+    let lists = Lists::default();
+    let mut parser = Parser { whole: Text(text), at: 0, depth: 0, lists: &lists, read };
     let node = parser.either()?;
     match parser.rest() {
-        "" => Ok(node),
+        "" => Ok(Expression { node, level_count: lists.first.get().map(|(length, _)| length) }),
         _ => Err(parser.expected("`|`, `&` or the end")),
     }
 }
@@ -27,10 +28,11 @@ struct Parser<'t, 'r> {
     at: usize,
     /// How many parentheses and `!` stand around it.
     depth: usize,
+    lists: &'r Lists,
     read: ReadFile<'r>,
 }
 
-impl<'t> Parser<'t, '_> {
+impl<'t, 'r> Parser<'t, 'r> {
     fn either(&mut self) -> Result<Node, ExpressionError> {
         let mut parts = Vec::new();
         loop {
@@ -104,13 +106,27 @@ impl<'t> Parser<'t, '_> {
         self.at += name.len();
         match known.make {
             Make::Alone(make) => Ok(Node::Criterion(make())),
-            Make::From(make) => make(&self.argument(known)?, self.read).map(Node::Criterion),
+            Make::From(make) => {
+                let argument = self.argument(known)?;
+                let Lists { level, found, first } = self.lists;
+                level.set(0);
+                found.set(false);
+                let mut terms = vec![make(&argument, self.read)?];
+                while found.get() && first.get().is_some_and(|(length, _)| terms.len() < length) {
+                    level.set(terms.len());
+                    terms.push(make(&argument, self.read)?);
+                }
+                Ok(match found.get() {
+                    true => Node::PerLevel { text: written(known.name, argument.text), terms },
+                    false => Node::Criterion(terms.remove(0)),
+                })
+            }
             Make::Faces(make) => make(&self.argument(known)?, self.read).map(Node::Faces),
         }
     }
 
     /// Reads what stands behind the name of a criterion.
-    fn argument(&mut self, known: &Known) -> Result<Argument<'t>, ExpressionError> {
+    fn argument(&mut self, known: &Known) -> Result<Argument<'t, 'r>, ExpressionError> {
         let form = known.forms[0];
         if !self.take(":") {
             return Err(self.expected(&format!("`:` and arguments as in `{form}`")));
@@ -137,7 +153,7 @@ impl<'t> Parser<'t, '_> {
         if is_file && text.is_empty() {
             return Err(whole.expected(at, "the name of a file"));
         }
-        Ok(Argument { whole, at, text, is_file, form })
+        Ok(Argument { lists: self.lists, whole, at, text, is_file, form })
     }
 
     /// Skips blanks and the sign behind them, if it stands there.
@@ -163,6 +179,13 @@ impl<'t> Parser<'t, '_> {
     fn expected(&self, expected: &str) -> ExpressionError {
         self.whole.expected(self.at, expected)
     }
+}
+
+/// A criterion with lists, without blanks.
+fn written(name: &str, argument: &str) -> String {
+    let mut text = format!("{name}:{argument}");
+    text.retain(|c| !c.is_whitespace());
+    text
 }
 
 /// A part that stands alone as it is, several as a chain.
