@@ -10,6 +10,14 @@ use std::ops::Range;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
+/// `make(k)` for every `k` below a count, in order.
+#[inline]
+pub(crate) fn list<T: Default + Send + Sync>(count: usize, make: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    let mut list = Vec::with_capacity(count);
+    append(&mut list, 0..count, make);
+    list
+}
+
 /// Appends `make(k)` for every `k` of a range, in order.
 #[inline]
 pub(crate) fn append<T: Default + Send + Sync>(

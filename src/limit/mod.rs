@@ -116,9 +116,7 @@ pub trait Limit {
     where
         Self: Sync,
     {
-        let mut positions = Vec::with_capacity(mesh.vertex_count());
-        parallel::append(&mut positions, 0..mesh.vertex_count(), |v| self.position(mesh, VertexId::new(v)));
-        positions
+        parallel::list(mesh.vertex_count(), |v| self.position(mesh, VertexId::new(v)))
     }
 
     /// Two tangents of one side of a vertex, of any length, if the scheme has any there; see [`Limit::tangent_masks`].

@@ -7,7 +7,7 @@
 //! triangle without area) is `None`, never a `NaN`. No tolerance decides what is degenerate, but for
 //! [`vertex_normal`], which says so.
 //!
-//! **Deliberately not here**: curvature, and the thresholds on any of these ([`crate::select`]).
+//! **Deliberately not here**: curvature ([`super::curvature`]), and the thresholds on any of these ([`crate::select`]).
 
 use std::ops::Range;
 
@@ -119,6 +119,8 @@ pub enum NormalWeight {
     Angle,
     /// By its area: a little cheaper, and slivers hardly count.
     Area,
+    /// All the same: the mean of the normals.
+    Equal,
 }
 
 /// The unit normal at a vertex: the weighted sum of the normals of the triangles around it.
@@ -141,21 +143,17 @@ pub enum NormalWeight {
 /// ```
 #[must_use]
 pub fn vertex_normal(mesh: &Mesh, v: VertexId, weight: NormalWeight) -> Option<DVec3> {
-    let ring = mesh.ring(v);
-    let center = mesh.position(v);
-    // One scale for the whole ring keeps areas comparable.
-    let greatest = ring.iter().map(|w| (mesh.position(w) - center).abs().max_element()).fold(0.0, f64::max);
-    let power = power_of_two_near(greatest);
-    let side = |w: VertexId| (mesh.position(w) - center) / power;
+    let spokes = Spokes::new(mesh, v);
     let (mut sum, mut weights) = (DVec3::ZERO, 0.0);
-    for (a, b) in ring.pairs() {
-        let (a, b) = (side(a), side(b));
+    for (a, b) in mesh.ring(v).pairs() {
+        let (a, b) = (spokes.to(a), spokes.to(b));
         let cross = Scaled::cross(a, b);
         let Some(normal) = cross.unit() else { continue };
         let weight = match weight {
             NormalWeight::Angle => angle_between_rad(a, b),
             // Twice the area of each.
             NormalWeight::Area => cross.length(),
+            NormalWeight::Equal => 1.0,
         };
         sum += normal * weight;
         weights += weight;
@@ -270,6 +268,29 @@ impl Scaled {
     }
 }
 
+/// The vectors from a vertex to its neighbours, divided by one power of two: the longest is near 1, so products of them can be
+/// written, and areas between them compared.
+pub(super) struct Spokes<'a> {
+    mesh: &'a Mesh,
+    center: DVec3,
+    /// What they are divided by.
+    pub(super) unit: f64,
+}
+
+impl<'a> Spokes<'a> {
+    pub(super) fn new(mesh: &'a Mesh, v: VertexId) -> Self {
+        let center = mesh.position(v);
+        let sizes = mesh.ring(v).iter().map(|w| (mesh.position(w) - center).abs().max_element());
+        Self { mesh, center, unit: power_of_two_near(sizes.fold(0.0, f64::max)) }
+    }
+
+    /// The one to a neighbour.
+    #[inline]
+    pub(super) fn to(&self, w: VertexId) -> DVec3 {
+        (self.mesh.position(w) - self.center) / self.unit
+    }
+}
+
 /// The power of two below a size that is no subnormal number: dividing by it makes the size 1 to 2 and loses no digit.
 #[inline]
 fn power_of_two_near(size: f64) -> f64 {
@@ -352,7 +373,7 @@ mod tests {
         flat.positions_mut()[5] = DVec3::ZERO;
         let mut point = shapes::octahedron();
         point.positions_mut().fill(DVec3::ONE);
-        for weight in [NormalWeight::Angle, NormalWeight::Area] {
+        for weight in [NormalWeight::Angle, NormalWeight::Area, NormalWeight::Equal] {
             assert_eq!(vertex_normal(&isolated, VertexId::new(0), weight), None);
             assert_eq!(vertex_normal(&flat, VertexId::new(0), weight), None);
             assert_eq!(vertex_normal(&flat, VertexId::new(4), weight), Some(DVec3::Z));
@@ -363,7 +384,7 @@ mod tests {
     #[test]
     fn vertex_normals_do_not_depend_on_the_unit() {
         for (mut mesh, exponent) in [(shapes::torus(7, 5, 3.0, 1.0), 900), (shapes::torus(7, 5, 3.0, 1.0), -900)] {
-            for weight in [NormalWeight::Angle, NormalWeight::Area] {
+            for weight in [NormalWeight::Angle, NormalWeight::Area, NormalWeight::Equal] {
                 let normals =
                     |mesh: &Mesh| -> Vec<_> { mesh.vertices().map(|v| vertex_normal(mesh, v, weight)).collect() };
                 let before = normals(&mesh);
