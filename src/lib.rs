@@ -166,6 +166,7 @@ pub mod accuracy;
 pub mod adaptive;
 pub mod angle;
 pub mod attributes;
+pub mod camera;
 pub mod certify;
 pub mod check;
 pub mod compare;
@@ -173,10 +174,12 @@ pub mod error;
 pub mod graph;
 pub mod id;
 pub mod io;
+pub mod length;
 pub mod limit;
 #[cfg(feature = "matrix")]
 pub mod matrix;
 pub mod mesh;
+mod number;
 mod parallel;
 pub mod predict;
 pub mod query;
@@ -197,7 +200,9 @@ pub use sprs;
 
 pub use accuracy::Accuracy;
 pub use angle::Angle;
+pub use camera::Camera;
 pub use id::{DirectedEdge, Edge, Triangle, VertexId};
+pub use length::Length;
 pub use mesh::Mesh;
 pub use rotation::{Ring, RotationSystem};
 

@@ -4,7 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use super::{Limit, dart};
 use crate::id::VertexId;
-use crate::mesh::{Neighborhood, Sector, VertexClass};
+use crate::mesh::{Mesh, Neighborhood, Sector, VertexClass};
+use crate::parallel;
 use crate::scheme::{LoopWeights, MaskSink, cos_of_turn, crease_neighbors};
 
 /// Limit positions, tangents and normals of the [`Loop`](crate::scheme::Loop) scheme.
@@ -62,6 +63,31 @@ impl LoopLimit {
             VertexClass::Crease => Some(0.25),
             VertexClass::Corner => Some(0.0),
         }
+    }
+
+    /// How far a vertex is from its limit. `None` if that is not known: for a semi-sharp vertex, and where it is too great to
+    /// be written. O(valence).
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    #[must_use]
+    pub fn distance(&self, mesh: &Mesh, v: VertexId) -> Option<f64> {
+        if mesh.neighborhood().is_semi_sharp(v) {
+            return None;
+        }
+        Some(self.position(mesh, v).distance(mesh.position(v))).filter(|distance| distance.is_finite())
+    }
+
+    /// [`LoopLimit::distance`] of every vertex, by id. O(vertices + edges).
+    ///
+    /// ```
+    /// use vvmesh::{limit::LoopLimit, shapes};
+    /// let distances = LoopLimit::default().distances(&shapes::icosahedron());
+    /// assert!(distances.into_iter().all(|distance| distance.is_some_and(|distance| distance > 0.1)));
+    /// ```
+    #[must_use]
+    pub fn distances(&self, mesh: &Mesh) -> Vec<Option<f64>> {
+        parallel::list(mesh.vertex_count(), |v| self.distance(mesh, VertexId::new(v)))
     }
 }
 

@@ -22,7 +22,7 @@ use crate::accuracy::Accuracy;
 use crate::certify::Certificate;
 use crate::error::RefineError;
 use crate::id::{Triangle, VertexId};
-use crate::limit::{Limit, LoopLimit};
+use crate::limit::LoopLimit;
 use crate::mesh::{Mesh, Neighborhood};
 use crate::parallel;
 use crate::query::expand;
@@ -73,8 +73,7 @@ impl Mobile {
 
     /// Whether a vertex is farther from its limit than asked for, or has none that is known yet.
     fn is_far(&self, mesh: &Mesh, v: VertexId) -> bool {
-        let is_near = || self.limit.position(mesh, v).distance(mesh.position(v)) <= self.accuracy.distance();
-        mesh.neighborhood().is_semi_sharp(v) || !is_near()
+        self.limit.distance(mesh, v).is_none_or(|distance| distance > self.accuracy.distance())
     }
 }
 
