@@ -60,6 +60,9 @@ fn criteria() -> Vec<(&'static str, Box<dyn Criterion>)> {
         ("sphere", Box::new(Sphere::new(DVec3::new(2.0, 1.0, 0.0), 1.6).unwrap())),
         ("dihedral", Box::new(Dihedral::new(Angle::from_deg(12.0)).unwrap())),
         ("and, not", Box::new(Disk::new(VertexId::new(30), 2).and(Disk::new(VertexId::new(33), 1).not()))),
+        ("limit error", Box::new(parsed("limit-error:1%"))),
+        ("edges", Box::new(parsed("edge-length:1.1"))),
+        ("faces", Box::new(parsed("area:0.6"))),
         ("an expression", Box::new(parsed("disk:10,1 | disk:40,1 & !vertices:41"))),
         ("a closure", Box::new(|mesh: &Mesh| mesh.vertices().filter(|v| v.index() % 5 < 3).collect::<Selection>())),
     ]

@@ -10,8 +10,11 @@ use quickcheck::{Arbitrary, Gen};
 use vvmesh::error::{Error, ExpressionError, ExpressionErrorKind, SelectError};
 use vvmesh::glam::DVec3;
 use vvmesh::scratch::Scratch;
-use vvmesh::select::{All, Criterion, Dihedral, Disk, Expression, Faces, NormalAngle, Selection, Sphere, Vertices};
-use vvmesh::{Angle, Mesh, VertexId, shapes};
+use vvmesh::select::{
+    All, Area, Boundary, Criterion, Curvature, CurvatureTop, Dihedral, Disk, EdgeLength, Expression, Faces, Flatness,
+    LimitError, MeanCurvature, NormalAngle, NormalCone, Selection, Sharp, Silhouette, Sphere, Valence, Vertices,
+};
+use vvmesh::{Angle, Length, Mesh, VertexId, shapes};
 
 fn set(indices: &[usize]) -> Selection {
     indices.iter().copied().map(VertexId::new).collect()
@@ -176,7 +179,8 @@ fn not_binds_tighter_than_and_tighter_than_or() {
 #[test]
 fn every_criterion_is_read_with_its_parameters() {
     let above = |deg| NormalAngle::new(Angle::from_deg(deg)).expect("sound");
-    let cases: [(&str, &dyn Criterion); 8] = [
+    let length = Length::absolute(0.9).expect("sound");
+    let cases: [(&str, &dyn Criterion); 21] = [
         ("all", &All),
         ("disk:3,1", &Disk::new(VertexId::new(3), 1)),
         (" sphere : 1, -0.5 ,0e0,+.5 ", &Sphere::new(DVec3::new(1.0, -0.5, 0.0), 0.5).expect("sound")),
@@ -185,15 +189,34 @@ fn every_criterion_is_read_with_its_parameters() {
         ("faces: 3,02,3", &Faces::new([2, 3])),
         ("normal-angle:45.5", &above(45.5)),
         ("normal-angle: 45.5 +neighbors", &above(45.5).and_neighbors()),
+        ("limit-error: 1.5 %", &LimitError::new(Length::percent(1.5).expect("sound"))),
+        ("curvature:0.5", &Curvature::new(0.5).expect("sound")),
+        ("curvature-top:25%", &CurvatureTop::new(25.0).expect("sound")),
+        ("mean-curvature:0", &MeanCurvature::new(0.0).expect("sound")),
+        ("normal-cone:20", &NormalCone::new(Angle::from_deg(20.0)).expect("sound")),
+        ("flatness:0.1", &Flatness::new(Length::absolute(0.1).expect("sound"))),
+        ("valence:3", &Valence::new(3)),
+        ("edge-length:0.9", &EdgeLength::new(length)),
+        ("boundary", &Boundary),
+        ("sharp", &Sharp),
+        ("silhouette:eye=0,-9,1", &Silhouette::from_eye(DVec3::new(0.0, -9.0, 1.0)).expect("sound")),
+        ("silhouette:dir = 0,1,-1", &Silhouette::along(DVec3::new(0.0, 1.0, -1.0)).expect("sound")),
+        ("area:0.4", &Area::new(0.4).expect("sound")),
     ];
-    let mesh = roof();
+    // They need what is not in the text: see tests/criteria.rs.
+    let told = ["field", "frustum", "pixel-area", "pixel-length"];
+    // A roof has a boundary and no vertex inside, a torus the other way round.
+    let meshes = [roof(), shapes::torus(5, 4, 2.0, 1.0)];
     for (text, criterion) in cases {
-        assert_eq!(select(&parse(text), &mesh), select(&criterion, &mesh), "{text}");
-        assert!(!select(&criterion, &mesh).is_empty(), "{text} would show nothing");
+        for mesh in &meshes {
+            assert_eq!(select(&parse(text), mesh), select(&criterion, mesh), "{text}");
+        }
+        assert!(meshes.iter().any(|mesh| !select(&criterion, mesh).is_empty()), "{text} would show nothing");
     }
     for form in Expression::known_criteria() {
         let name = form.split(':').next().expect("a name");
-        assert!(cases.iter().any(|(text, _)| text.trim().starts_with(name)), "{form} is not tested");
+        let is_tested = told.contains(&name) || cases.iter().any(|(text, _)| text.trim().starts_with(name));
+        assert!(is_tested, "{form} is not tested");
     }
 }
 
@@ -239,8 +262,7 @@ fn file_names_end_at_a_sign_or_are_quoted() {
 #[test]
 fn errors_name_the_column_and_what_was_expected() {
     let id = "expected the id of a vertex, a whole number from 0 to 4294967294";
-    let known = "known are `all`, `vertices:V,V,...`, `vertices:@FILE`, `disk:V,R`, `sphere:x,y,z,radius`, `dihedral:DEG`, \
-         `faces:F,F,...`, `faces:@FILE`, `normal-angle:DEG`, `normal-angle:DEG+neighbors`";
+    let known = format!("known are `{}`", Expression::known_criteria().collect::<Vec<_>>().join("`, `"));
     let cases = [
         ("", "column 1: expected a criterion, `!` or `(`, found the end".to_owned()),
         ("  ", "column 3: expected a criterion, `!` or `(`, found the end".to_owned()),
@@ -276,6 +298,27 @@ fn errors_name_the_column_and_what_was_expected() {
         ("dihedral:", "column 10: expected 1 argument as in `dihedral:DEG`, found none".to_owned()),
         ("dihedral:30°", "column 10: angle = 30°: expected a finite number".to_owned()),
         ("dihedral:180.5", "column 10: angle = 180.5: expected degrees from 0 to 180".to_owned()),
+        ("curvature:-1", "column 11: curvature = -1: expected a finite number, 0 or more".to_owned()),
+        ("curvature-top:5", "column 15: percent = 5: expected a number with `%` behind it".to_owned()),
+        ("curvature-top:101%", "column 15: percent = 101: expected a number from 0 to 100".to_owned()),
+        ("mean-curvature:nan", "column 16: curvature = nan: expected a finite number".to_owned()),
+        ("limit-error:-1%", "column 13: percent = -1: expected a finite number, 0 or more".to_owned()),
+        ("flatness:1e999", "column 10: L = 1e999: expected a finite number".to_owned()),
+        ("edge-length:%", "column 13: expected L as in `edge-length:L`, found `%`".to_owned()),
+        ("area:1%", "column 6: area = 1%: expected a finite number".to_owned()),
+        ("valence:-1", format!("column 9: N = -1: expected a whole number from 0 to {}", usize::MAX)),
+        ("normal-cone:181", "column 13: angle = 181: expected degrees from 0 to 180".to_owned()),
+        ("field:red", "column 7: field = red: expected `>`, `>=`, `<` or `<=` in it".to_owned()),
+        ("field: >1", "column 8: field = >1: expected its name before the sign".to_owned()),
+        ("field:red>", "column 11: expected VALUE as in `field:NAME>VALUE`, found the end".to_owned()),
+        ("field:red >= x", "column 14: VALUE = x: expected a finite number".to_owned()),
+        ("field:@ids", "column 8: expected 1 argument as in `field:NAME>VALUE`, found a file".to_owned()),
+        ("silhouette:1,2,3", "column 12: silhouette = 1: expected eye=x,y,z or dir=x,y,z".to_owned()),
+        ("silhouette:eye=1,2", "column 12: expected 3 arguments as in `silhouette:eye=x,y,z`, found 2".to_owned()),
+        ("silhouette:dir=0,0,0", "column 16: dir = [0, 0, 0]: expected finite coordinates, not all 0".to_owned()),
+        ("boundary:1", "column 9: expected `|`, `&` or the end, found `:`".to_owned()),
+        ("all & frustum", "column 7: `frustum` looks through a camera, and there is none".to_owned()),
+        ("pixel-area:5", "column 1: `pixel-area` looks through a camera, and there is none".to_owned()),
         ("vertices:1 2", format!("column 10: vertex = 1 2: {id}")),
         ("vertices:1,@ids", format!("column 12: vertex = @ids: {id}")),
         ("vertices:1,,2", "column 12: expected vertex as in `vertices:V,V,...`, found `,`".to_owned()),
@@ -351,7 +394,7 @@ impl Arbitrary for Written {
                     return number;
                 }
             };
-            match u8::arbitrary(g) % 8 {
+            match u8::arbitrary(g) % 14 {
                 0 => "all".to_owned(),
                 1 => format!(
                     "vertices:{}",
@@ -362,6 +405,12 @@ impl Arbitrary for Written {
                 4 => format!("sphere:{},{} ,{:?},{}", number(g), number(g), number(g), number(g).abs()),
                 5 => format!("faces:{}", usize::arbitrary(g)),
                 6 => format!("normal-angle:{}+neighbors", f64::from(u8::arbitrary(g) % 180)),
+                7 => format!("limit-error:{:?}%", number(g).abs()),
+                8 => format!("curvature:{:?}", number(g).abs()),
+                9 => format!("silhouette:dir={},{:?},1", number(g), number(g)),
+                10 => format!("field:red {} {:?}", g.choose(&[">", ">=", "<", "<="]).expect("some"), number(g)),
+                11 => format!("curvature-top:{}%", f64::from(u8::arbitrary(g)) / 2.55),
+                12 => (*g.choose(&["boundary", "sharp", "valence:6"]).expect("some")).to_owned(),
                 _ => format!("dihedral:{}", f64::from(u32::arbitrary(g)) / f64::from(u32::MAX) * 180.0),
             }
         }
@@ -400,7 +449,7 @@ fn garbage_is_refused_without_a_panic() {
 #[test]
 fn shuffled_pieces_are_refused_without_a_panic() {
     fn property(pieces: Vec<u8>) -> bool {
-        const PIECES: [&str; 23] = [
+        const PIECES: [&str; 33] = [
             "all",
             "vertices",
             "disk",
@@ -409,6 +458,16 @@ fn shuffled_pieces_are_refused_without_a_panic() {
             "faces",
             "normal-angle",
             "+neighbors",
+            "limit-error",
+            "curvature-top",
+            "field",
+            "silhouette",
+            "boundary",
+            "frustum",
+            "eye=",
+            "%",
+            ">=",
+            "/",
             ":",
             ",",
             "|",

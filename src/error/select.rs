@@ -34,6 +34,15 @@ pub enum SelectError {
         /// How many values.
         level_count: usize,
     },
+    /// A criterion names a field that was not given, or not for this mesh.
+    NoField {
+        /// The name of the field.
+        name: String,
+        /// How many values were given, if any were.
+        values: Option<usize>,
+        /// How many vertices the mesh has.
+        vertex_count: usize,
+    },
 }
 
 impl fmt::Display for SelectError {
@@ -49,6 +58,10 @@ impl fmt::Display for SelectError {
             }
             Self::NoLevel { level_count } => {
                 write!(f, "the expression has {level_count} values, one for each level; choose a level")
+            }
+            Self::NoField { name, values: None, .. } => write!(f, "there is no field `{name}`"),
+            Self::NoField { name, values: Some(values), vertex_count } => {
+                write!(f, "the field `{name}` is of {values} vertices, the mesh has {vertex_count}")
             }
         }
     }
@@ -85,6 +98,11 @@ pub enum ExpressionErrorKind {
     },
     /// An argument is not what its criterion takes.
     Value(ConfigError),
+    /// A criterion looks through a camera, and there is none.
+    NoCamera {
+        /// Its name.
+        criterion: &'static str,
+    },
     /// More parentheses and `!` stand inside each other than allowed.
     TooDeep {
         /// How many are allowed.
@@ -126,6 +144,9 @@ impl fmt::Display for ExpressionError {
                 write!(f, "there is no criterion `{name}`; known are `{}`", known.join("`, `"))
             }
             ExpressionErrorKind::Value(error) => error.fmt(f),
+            ExpressionErrorKind::NoCamera { criterion } => {
+                write!(f, "`{criterion}` looks through a camera, and there is none")
+            }
             ExpressionErrorKind::TooDeep { allowed } => {
                 write!(f, "at most {allowed} parentheses and `!` may stand inside each other; write fewer")
             }

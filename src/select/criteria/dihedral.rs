@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Criterion, shortest};
+use super::{Criterion, half_turn, shortest};
 use crate::angle::Angle;
 use crate::error::{ConfigError, SelectError};
 use crate::id::VertexId;
@@ -29,12 +29,7 @@ impl Dihedral {
     /// # Errors
     /// If the angle is not from 0 to 180 degrees.
     pub fn new(above: Angle) -> Result<Self, ConfigError> {
-        if (0.0..=180.0).contains(&above.deg()) {
-            Ok(Self { above })
-        } else {
-            let expected = "expected degrees from 0 to 180".to_owned();
-            Err(ConfigError { name: "angle", value: shortest(above.deg()), expected })
-        }
+        half_turn(above).map(|above| Self { above })
     }
 }
 

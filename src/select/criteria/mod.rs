@@ -1,25 +1,61 @@
 //! What a criterion is, and how criteria combine.
 
 mod all;
+mod area;
+mod boundary;
+mod curvature;
+mod curvature_top;
 mod dihedral;
 mod disk;
+mod edge_length;
 mod faces;
+mod field;
+mod flatness;
+mod frustum;
+mod limit_error;
+mod mean_curvature;
 mod normal_angle;
+mod normal_cone;
+mod pixel_area;
+mod pixel_length;
+mod sharp;
+mod silhouette;
 mod sphere;
+mod valence;
 mod vertices;
 
 pub use all::All;
+pub use area::Area;
+pub use boundary::Boundary;
+pub use curvature::Curvature;
+pub use curvature_top::CurvatureTop;
 pub use dihedral::Dihedral;
 pub use disk::Disk;
+pub use edge_length::EdgeLength;
 pub use faces::Faces;
+pub use field::{Comparison, Field};
+pub use flatness::Flatness;
+pub use frustum::Frustum;
+pub use limit_error::LimitError;
+pub use mean_curvature::MeanCurvature;
 pub use normal_angle::NormalAngle;
+pub use normal_cone::NormalCone;
+pub use pixel_area::PixelArea;
+pub use pixel_length::PixelLength;
+pub use sharp::Sharp;
+pub use silhouette::Silhouette;
 pub use sphere::Sphere;
+pub use valence::Valence;
 pub use vertices::Vertices;
 
 use super::selection::{Selection, Unknown};
-use crate::error::SelectError;
-use crate::id::VertexId;
+use crate::angle::Angle;
+use crate::error::{ConfigError, SelectError};
+use crate::id::{Edge, Triangle, VertexId};
 use crate::mesh::Mesh;
+use crate::number::shortest;
+use crate::parallel;
+use crate::query::measure::bounds;
 use crate::scratch::Scratch;
 
 /// A question to a mesh that selects vertices, edges or faces.
@@ -134,11 +170,49 @@ fn no_vertex(vertex: VertexId, mesh: &Mesh) -> SelectError {
     SelectError::NoVertex { vertex, vertex_count: mesh.vertex_count() }
 }
 
-/// The shortest number that reads back as the same; with an exponent where it would be hundreds of digits long.
-fn shortest(number: f64) -> String {
-    let mut text = format!("{number:?}");
-    if text.ends_with(".0") {
-        text.truncate(text.len() - 2);
+/// The diagonal of the bounding box of a mesh, to which relative lengths refer.
+fn diagonal(mesh: &Mesh) -> f64 {
+    bounds(mesh).map_or(0.0, |bounds| bounds.diagonal())
+}
+
+/// A threshold for what is never below 0.
+fn at_least_0(name: &'static str, threshold: f64) -> Result<f64, ConfigError> {
+    if threshold.is_finite() && threshold >= 0.0 {
+        return Ok(threshold);
     }
-    text
+    let expected = "expected a finite number, 0 or more".to_owned();
+    Err(ConfigError { name, value: shortest(threshold), expected })
+}
+
+/// A threshold for the angle between two directions.
+fn half_turn(threshold: Angle) -> Result<Angle, ConfigError> {
+    if (0.0..=180.0).contains(&threshold.deg()) {
+        return Ok(threshold);
+    }
+    let expected = "expected degrees from 0 to 180".to_owned();
+    Err(ConfigError { name: "angle", value: shortest(threshold.deg()), expected })
+}
+
+/// The edges of a mesh that pass a test, which is shown their ends, the smaller first, and the third corners of the faces left
+/// and right of the way from the one to the other.
+fn edges_that(mesh: &Mesh, test: impl Fn([VertexId; 2], [Option<VertexId>; 2]) -> bool + Sync + Send) -> Selection {
+    let test = &test;
+    let from = |a: usize| {
+        let a = VertexId::new(a);
+        let ring = mesh.ring(a);
+        // By slots: to search the ring for each neighbour would cost the square of the valence.
+        let greater = ring.iter().enumerate().filter(move |&(_, b)| a < b);
+        greater.filter(move |&(slot, b)| test([a, b], ring.corners_at(slot))).map(move |(_, b)| Edge::new(a, b))
+    };
+    parallel::gather(0..mesh.vertex_count(), from).into_iter().collect()
+}
+
+/// The faces of a mesh that pass a test, which is shown their corners.
+fn faces_that(mesh: &Mesh, test: impl Fn([VertexId; 3]) -> bool + Sync + Send) -> Selection {
+    let test = &test;
+    let at = |v: usize| {
+        let faces = mesh.rotation().triangles_of_smallest(VertexId::new(v));
+        faces.filter(move |face: &Triangle| test(face.corners()))
+    };
+    parallel::gather(0..mesh.vertex_count(), at).into_iter().collect()
 }

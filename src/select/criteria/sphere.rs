@@ -4,7 +4,7 @@ use std::fmt;
 
 use glam::DVec3;
 
-use super::{Criterion, shortest};
+use super::{Criterion, at_least_0, shortest};
 use crate::error::{ConfigError, SelectError};
 use crate::mesh::Mesh;
 use crate::scratch::Scratch;
@@ -29,11 +29,7 @@ impl Sphere {
             let expected = "expected finite coordinates".to_owned();
             return Err(ConfigError { name: "center", value: center.to_string(), expected });
         }
-        if !(radius.is_finite() && radius >= 0.0) {
-            let expected = "expected a finite number, 0 or more".to_owned();
-            return Err(ConfigError { name: "radius", value: shortest(radius), expected });
-        }
-        Ok(Self { center, radius })
+        at_least_0("radius", radius).map(|radius| Self { center, radius })
     }
 
     fn contains(self, position: DVec3) -> bool {

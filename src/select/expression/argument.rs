@@ -7,6 +7,8 @@ use std::path::{Path, PathBuf};
 use super::Expression;
 use crate::error::{ConfigError, ExpressionError, ExpressionErrorKind};
 use crate::id::VertexId;
+use crate::length::Length;
+use crate::select::criteria::Comparison;
 
 /// Who answers with the text of a file.
 pub(super) type ReadFile<'r> = &'r mut dyn FnMut(&Path) -> io::Result<String>;
@@ -118,6 +120,12 @@ impl<'t, 'l> Argument<'t, 'l> {
         fields.try_into().map_err(|_| self.wrong_count(N, self.fields().count().to_string()))
     }
 
+    /// The only field, as it is at the level that is read: it may be a list of values.
+    pub(super) fn threshold(&self) -> Result<Field<'t, 'l>, ExpressionError> {
+        let [threshold] = self.exactly()?;
+        threshold.at_level()
+    }
+
     fn wrong_count(&self, wanted: usize, found: String) -> ExpressionError {
         let plural = if wanted == 1 { "" } else { "s" };
         let expected = format!("{wanted} argument{plural} as in `{}`", self.form);
@@ -162,7 +170,7 @@ pub(super) struct Field<'t, 'l> {
     form: &'static str,
 }
 
-impl Field<'_, '_> {
+impl<'t> Field<'t, '_> {
     /// The value of the level that is read, of a threshold that may be a list of values: `a/b/c`.
     pub(super) fn at_level(mut self) -> Result<Self, ExpressionError> {
         let Lists { level, found, first } = self.lists;
@@ -213,6 +221,49 @@ impl Field<'_, '_> {
             Ok(number) if number.is_finite() => Ok(number),
             _ => Err(value_error(text, name, "expected a finite number".to_owned())),
         })
+    }
+
+    /// A length, with `%` behind it relative to the size of the mesh.
+    pub(super) fn length(self, name: &'static str) -> Result<Length, ExpressionError> {
+        let mut number = self;
+        let make = if number.take_suffix("%") { Length::percent } else { Length::absolute };
+        make(number.number(name)?).map_err(|error| number.refused(error))
+    }
+
+    /// What stands before the first sign that compares, the sign, and what stands behind it.
+    pub(super) fn comparison(self) -> Result<(&'t str, Comparison, Self), ExpressionError> {
+        let found = self.text.find(['<', '>']).and_then(|at| {
+            let (name, rest) = self.text.split_at(at);
+            let comparison = Comparison::ALL.into_iter().find(|comparison| rest.starts_with(comparison.sign()))?;
+            Some((name.trim_end(), comparison, at + comparison.sign().len()))
+        });
+        let Some((name, comparison, length)) = found else {
+            return Err(self.is_not("field", "expected `>`, `>=`, `<` or `<=` in it"));
+        };
+        if name.is_empty() {
+            return Err(self.is_not("field", "expected its name before the sign"));
+        }
+        Ok((name, comparison, self.behind(length)))
+    }
+
+    /// Cuts off `key` and the `=` behind it at the start, if they stand there.
+    pub(super) fn take_key(&mut self, key: &str) -> bool {
+        let rest = self.text.strip_prefix(key).and_then(|rest| rest.trim_start().strip_prefix('='));
+        if let Some(rest) = rest {
+            *self = self.behind(self.text.len() - rest.len());
+        }
+        rest.is_some()
+    }
+
+    /// What stands behind so many bytes.
+    fn behind(&self, length: usize) -> Self {
+        let text = self.text[length..].trim_start();
+        Self { at: self.at + (self.text.len() - text.len()), text, ..*self }
+    }
+
+    /// The error that this is no such value.
+    pub(super) fn is_not(&self, name: &'static str, expected: &str) -> ExpressionError {
+        self.refused(value_error(self.text, name, expected.to_owned()))
     }
 
     /// Cuts off what stands at the end, if it does.

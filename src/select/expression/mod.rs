@@ -10,8 +10,9 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use super::criteria::{Criterion, Faces};
+use super::criteria::{Criterion, Faces, Field};
 use super::selection::Selection;
+use crate::camera::Camera;
 use crate::error::{ExpressionError, SelectError};
 use crate::id::Triangle;
 use crate::mesh::Mesh;
@@ -31,10 +32,29 @@ use crate::scratch::Scratch;
 /// | `faces:@FILE` | those of a file, which is read as that of `vertices` |
 /// | `normal-angle:DEG` | faces whose normal is more than DEG degrees from that of a neighbour ([`NormalAngle`](super::NormalAngle)) |
 /// | `normal-angle:DEG+neighbors` | the same, and the faces that share an edge with them |
+/// | `limit-error:EPS` | vertices farther than EPS from their limit by the Loop scheme, and their neighbours ([`LimitError`](super::LimitError)) |
+/// | `curvature:K` | vertices of Gaussian curvature above K or below -K ([`Curvature`](super::Curvature)) |
+/// | `curvature-top:P%` | the P percent of the vertices where that is greatest ([`CurvatureTop`](super::CurvatureTop)) |
+/// | `mean-curvature:H` | vertices of mean curvature above H or below -H ([`MeanCurvature`](super::MeanCurvature)) |
+/// | `normal-cone:DEG` | vertices with a face whose normal is more than DEG degrees from the mean of theirs ([`NormalCone`](super::NormalCone)) |
+/// | `flatness:L` | vertices with a neighbour farther than L from their plane ([`Flatness`](super::Flatness)) |
+/// | `valence:N` | vertices of more than N neighbours ([`Valence`](super::Valence)) |
+/// | `field:NAME>VALUE` | vertices with such a value in a field; also with `>=`, `<` and `<=` ([`Field`]) |
+/// | `edge-length:L` | edges longer than L ([`EdgeLength`](super::EdgeLength)) |
+/// | `boundary` | edges of one face ([`Boundary`](super::Boundary)) |
+/// | `sharp` | sharp edges, those on a boundary too ([`Sharp`](super::Sharp)) |
+/// | `silhouette:eye=x,y,z` | edges between faces seen from outside and from inside, as from a point ([`Silhouette`](super::Silhouette)) |
+/// | `silhouette:dir=x,y,z` | the same from very far away in a direction |
+/// | `pixel-length:N` | edges longer than N pixels in the picture of a camera ([`PixelLength`](super::PixelLength)) |
+/// | `area:A` | faces of a greater area than A ([`Area`](super::Area)) |
+/// | `frustum` | faces of which a camera may see something ([`Frustum`](super::Frustum)) |
+/// | `pixel-area:N` | faces that cover more than N pixels in its picture ([`PixelArea`](super::PixelArea)) |
 /// | `!E`, `E & E`, <code>E &#124; E</code>, `(E)` | not, and, or; `!` binds tightest, then `&` |
 ///
-/// A threshold (DEG) may be a list of values, one for each level: `normal-angle:10/20/30`. All lists of an expression are of
-/// one length. Such an expression selects nothing before a level is chosen; see [`Expression::at_level`].
+/// A threshold (DEG, EPS, K, P%, H, L, A, N) may be a list of values, one for each level:
+/// `normal-angle:10/20/30`. All lists of an expression are of one length. Such an expression selects nothing before a level is chosen; see [`Expression::at_level`].
+/// EPS and L are lengths, with `%` behind the number in hundredths of the diagonal of the bounding box. The camera is told once,
+/// [when the text is read](Expression::parse_seen), and the values of fields [afterwards](Expression::with_fields).
 ///
 /// Criteria answer with vertices, edges or faces. A chain of `&` or `|` over answers of one kind is of that kind; in any other
 /// chain edges become their ends and faces their corners before they are combined, in whatever order they stand.
@@ -62,6 +82,7 @@ pub struct Expression {
     node: Node,
     /// How long its lists of values are, if it has any.
     level_count: Option<usize>,
+    uses_camera: bool,
 }
 
 /// One criterion or a combination. `And` and `Or` hold two parts or more and none of their own kind, so a long chain is
@@ -75,6 +96,7 @@ enum Node {
         terms: Vec<Arc<dyn Term>>,
     },
     Faces(Faces),
+    Field(Field),
     Not(Box<Node>),
     And(Vec<Node>),
     Or(Vec<Node>),
@@ -104,7 +126,7 @@ impl Expression {
     /// # Complexity
     /// O(text and files), and O(n log n) for lists of n ids.
     pub fn parse(text: &str, read: &mut dyn FnMut(&Path) -> io::Result<String>) -> Result<Self, ExpressionError> {
-        parse::parse(text, read)
+        parse::parse(text, None, read)
     }
 
     /// How many values its lists have, one a level; `None` if it has no list, and is the same at every level.
@@ -128,7 +150,43 @@ impl Expression {
     #[must_use]
     pub fn at_level(&self, level: usize) -> Option<Self> {
         let place = level.checked_sub(1).filter(|&place| self.level_count.is_none_or(|count| place < count))?;
-        Some(Self { node: self.node.at(place), level_count: None })
+        Some(Self { node: self.node.at(place), level_count: None, ..*self })
+    }
+
+    /// The same with the camera through which criteria look.
+    ///
+    /// # Errors
+    /// Those of [`Expression::parse`]; without a camera a criterion that needs one is an error too.
+    ///
+    /// ```
+    /// use vvmesh::select::Expression;
+    /// let camera = "eye=0,0,9,at=0,0,0,up=0,1,0,fov=40,size=640x480".parse()?;
+    /// let seen = Expression::parse_seen("frustum & pixel-area:50", camera, &mut |_| Ok(String::new()))?;
+    /// assert!(seen.uses_camera());
+    /// let error = Expression::parse("all & frustum", &mut |_| Ok(String::new())).unwrap_err();
+    /// assert_eq!(error.to_string(), "column 7: `frustum` looks through a camera, and there is none");
+    /// # Ok::<(), vvmesh::error::Error>(())
+    /// ```
+    pub fn parse_seen(
+        text: &str,
+        camera: Camera,
+        read: &mut dyn FnMut(&Path) -> io::Result<String>,
+    ) -> Result<Self, ExpressionError> {
+        parse::parse(text, Some(camera), read)
+    }
+
+    /// Whether a criterion looks through a camera.
+    #[must_use]
+    pub fn uses_camera(&self) -> bool {
+        self.uses_camera
+    }
+
+    /// The same with the values of its fields, one a vertex, as far as they are told; see [`Field::of_values`]. Each field is
+    /// asked for by its name, as often as it is named.
+    #[must_use]
+    pub fn with_fields(mut self, values: &mut dyn FnMut(&str) -> Option<Vec<f64>>) -> Self {
+        self.node.tell_fields(values);
+        self
     }
 
     /// The same with the numbers that faces have in this list; see [`Faces::numbered_by`].
@@ -156,6 +214,7 @@ impl Criterion for Node {
             Self::Criterion(criterion) => criterion.select(mesh, scratch),
             Self::PerLevel { terms, .. } => Err(SelectError::NoLevel { level_count: terms.len() }),
             Self::Faces(faces) => faces.select(mesh, scratch),
+            Self::Field(field) => field.select(mesh, scratch),
             Self::Not(inner) => Ok(inner.select(mesh, scratch)?.complement(mesh)),
             Self::And(parts) => {
                 // Parts are evaluated even when nothing is left, so that an unknown vertex is always told. A part of
@@ -199,6 +258,7 @@ impl fmt::Display for Node {
             Self::Criterion(criterion) => return criterion.fmt(f),
             Self::PerLevel { text, .. } => return f.write_str(text),
             Self::Faces(faces) => return faces.fmt(f),
+            Self::Field(field) => return field.fmt(f),
             Self::Not(inner) => {
                 f.write_str("!")?;
                 return self.write_part(inner, f);
@@ -219,7 +279,7 @@ impl Node {
     fn at(&self, place: usize) -> Self {
         let parts = |parts: &[Self]| parts.iter().map(|part| part.at(place)).collect();
         match self {
-            Self::Criterion(_) | Self::Faces(_) => self.clone(),
+            Self::Criterion(_) | Self::Faces(_) | Self::Field(_) => self.clone(),
             Self::PerLevel { terms, .. } => Self::Criterion(Arc::clone(&terms[place])),
             Self::Not(inner) => Self::Not(Box::new(inner.at(place))),
             Self::And(all) => Self::And(parts(all)),
@@ -229,10 +289,23 @@ impl Node {
 
     fn number_faces(&mut self, list: &Arc<[Triangle]>) {
         match self {
-            Self::Criterion(_) | Self::PerLevel { .. } => {}
+            Self::Criterion(_) | Self::PerLevel { .. } | Self::Field(_) => {}
             Self::Faces(faces) => *faces = std::mem::take(faces).numbered_by(Arc::clone(list)),
             Self::Not(inner) => inner.number_faces(list),
             Self::And(parts) | Self::Or(parts) => parts.iter_mut().for_each(|part| part.number_faces(list)),
+        }
+    }
+
+    fn tell_fields(&mut self, values: &mut dyn FnMut(&str) -> Option<Vec<f64>>) {
+        match self {
+            Self::Criterion(_) | Self::PerLevel { .. } | Self::Faces(_) => {}
+            Self::Field(field) => {
+                if let Some(values) = values(field.name()) {
+                    *field = field.clone().of_values(values);
+                }
+            }
+            Self::Not(inner) => inner.tell_fields(values),
+            Self::And(parts) | Self::Or(parts) => parts.iter_mut().for_each(|part| part.tell_fields(values)),
         }
     }
 
@@ -246,7 +319,7 @@ impl Node {
             Self::Or(_) => 0,
             Self::And(_) => 1,
             Self::Not(_) => 2,
-            Self::Criterion(_) | Self::PerLevel { .. } | Self::Faces(_) => 3,
+            Self::Criterion(_) | Self::PerLevel { .. } | Self::Faces(_) | Self::Field(_) => 3,
         }
     }
 }

@@ -7,17 +7,21 @@
 //! ```
 
 use super::argument::{Argument, Lists, ReadFile, Text, excerpt, is_sign};
-use super::known::{Known, Make};
+use super::known::{Known, Made, Make};
 use super::{Expression, Node};
+use crate::camera::Camera;
 use crate::error::{ExpressionError, ExpressionErrorKind};
 
 /// Reads a whole text.
-pub(super) fn parse(text: &str, read: ReadFile<'_>) -> Result<Expression, ExpressionError> {
+pub(super) fn parse(text: &str, camera: Option<Camera>, read: ReadFile<'_>) -> Result<Expression, ExpressionError> {
     let lists = Lists::default();
-    let mut parser = Parser { whole: Text(text), at: 0, depth: 0, lists: &lists, read };
+    let mut parser = Parser { whole: Text(text), at: 0, depth: 0, lists: &lists, camera, uses_camera: false, read };
     let node = parser.either()?;
     match parser.rest() {
-        "" => Ok(Expression { node, level_count: lists.first.get().map(|(length, _)| length) }),
+        "" => {
+            let level_count = lists.first.get().map(|(length, _)| length);
+            Ok(Expression { node, level_count, uses_camera: parser.uses_camera })
+        }
         _ => Err(parser.expected("`|`, `&` or the end")),
     }
 }
@@ -29,6 +33,9 @@ struct Parser<'t, 'r> {
     /// How many parentheses and `!` stand around it.
     depth: usize,
     lists: &'r Lists,
+    camera: Option<Camera>,
+    /// Whether a criterion asked for it.
+    uses_camera: bool,
     read: ReadFile<'r>,
 }
 
@@ -103,26 +110,50 @@ impl<'t, 'r> Parser<'t, 'r> {
             let kind = ExpressionErrorKind::UnknownCriterion { name: excerpt(name), known };
             return Err(self.whole.error(self.at, kind));
         };
+        let start = self.at;
         self.at += name.len();
         match known.make {
             Make::Alone(make) => Ok(Node::Criterion(make())),
             Make::From(make) => {
                 let argument = self.argument(known)?;
-                let Lists { level, found, first } = self.lists;
-                level.set(0);
-                found.set(false);
-                let mut terms = vec![make(&argument, self.read)?];
-                while found.get() && first.get().is_some_and(|(length, _)| terms.len() < length) {
-                    level.set(terms.len());
-                    terms.push(make(&argument, self.read)?);
-                }
-                Ok(match found.get() {
-                    true => Node::PerLevel { text: written(known.name, argument.text), terms },
-                    false => Node::Criterion(terms.remove(0)),
-                })
+                self.per_level(known, &argument, |read| make(&argument, read))
             }
             Make::Faces(make) => make(&self.argument(known)?, self.read).map(Node::Faces),
+            Make::Field(make) => make(&self.argument(known)?).map(Node::Field),
+            Make::Seen(make) => Ok(Node::Criterion(make(self.camera(start, known)?))),
+            Make::SeenFrom(make) => {
+                let camera = self.camera(start, known)?;
+                let argument = self.argument(known)?;
+                self.per_level(known, &argument, |_| make(camera, &argument))
+            }
         }
+    }
+
+    /// Makes a criterion once, or for each value of its lists if it has any.
+    fn per_level(
+        &mut self,
+        known: &Known,
+        argument: &Argument<'_, '_>,
+        mut make: impl FnMut(ReadFile<'_>) -> Made,
+    ) -> Result<Node, ExpressionError> {
+        let Lists { level, found, first } = self.lists;
+        level.set(0);
+        found.set(false);
+        let mut terms = vec![make(self.read)?];
+        while found.get() && first.get().is_some_and(|(length, _)| terms.len() < length) {
+            level.set(terms.len());
+            terms.push(make(self.read)?);
+        }
+        Ok(match found.get() {
+            true => Node::PerLevel { text: written(known.name, argument.text), terms },
+            false => Node::Criterion(terms.remove(0)),
+        })
+    }
+
+    /// The camera, for a criterion whose name stands at a byte.
+    fn camera(&mut self, start: usize, known: &Known) -> Result<Camera, ExpressionError> {
+        self.uses_camera = true;
+        self.camera.ok_or_else(|| self.whole.error(start, ExpressionErrorKind::NoCamera { criterion: known.name }))
     }
 
     /// Reads what stands behind the name of a criterion.
