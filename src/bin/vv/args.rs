@@ -4,8 +4,8 @@ use std::fmt;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use vvmesh::Accuracy;
 use vvmesh::scheme::LoopWeights;
+use vvmesh::{Accuracy, Camera};
 
 /// What an expression may be, for the help of the options that take one.
 const EXPRESSIONS: &str = "\
@@ -18,9 +18,27 @@ Expressions (vertices and faces count from 0, polygons after they are cut into t
   faces:1,2,3           these faces; faces:@FILE reads them from a file
   normal-angle:DEG      faces at edges folded by more than DEG degrees; normal-angle:DEG+neighbors also
                         those that share an edge with them
-                        (with --select-each, DEG may be a list of values, one a level: 10/20/30)
+  limit-error:EPS       vertices farther than EPS from their limit under `loop`, and their neighbours
+  curvature:K           vertices of Gaussian curvature above K or below -K
+  curvature-top:P%      the P percent of the vertices where it is greatest
+  mean-curvature:H      vertices of mean curvature above H or below -H
+  normal-cone:DEG       vertices with a face more than DEG degrees off the mean of their normals
+  flatness:L            vertices with a neighbour farther than L from their plane
+  valence:N             vertices of more than N neighbours
+  field:NAME>VALUE      vertices by a field, red, green or blue (0 to 1); also with >=, < and <=
+  edge-length:L         edges longer than L
+  boundary              edges of one face
+  sharp                 sharp edges, those on a boundary too
+  silhouette:eye=x,y,z  edges between faces seen from outside and from inside, from a point;
+                        silhouette:dir=x,y,z from very far away
+  pixel-length:N        edges longer than N pixels in the picture of --camera
+  area:A                faces of a greater area than A
+  frustum               faces of which --camera may see something, refined by `loop` or not
+  pixel-area:N          faces that cover more than N pixels in the picture of --camera
   !E   E & E   E | E    not, and, or, in the order in which they bind; parentheses group
 
+EPS and L are in the unit of the mesh, or with % behind them in percent of the diagonal of its box.
+With --select-each a threshold may be a list of values, one a level: normal-angle:10/20/30.
 Steps split faces, so those of the file are named with --select, and followed by what is made of them.
 A face stands for itself among faces; with vertices beside it, or where vertices are asked for, it
 is its corners. `simple` splits all edges of selected faces, red-green methods these faces.
@@ -124,6 +142,10 @@ pub(crate) struct SelectArguments {
     /// Which vertices; see below
     #[arg(long, value_name = "EXPR")]
     pub(crate) select: String,
+    #[command(flatten)]
+    pub(crate) view: ViewArguments,
+    #[command(flatten)]
+    pub(crate) tags: TagArguments,
     /// Expand the selection by this many rings of neighbours
     #[arg(long, value_name = "R", default_value_t = 0, allow_negative_numbers = true)]
     pub(crate) rings: usize,
@@ -203,6 +225,8 @@ pub(crate) struct CompareArguments {
     /// Which vertices, chosen once and followed through the levels; see below
     #[arg(long, value_name = "EXPR")]
     pub(crate) select: String,
+    #[command(flatten)]
+    pub(crate) view: ViewArguments,
     /// How many steps
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..), allow_negative_numbers = true)]
     pub(crate) levels: u8,
@@ -217,6 +241,15 @@ pub(crate) struct CompareArguments {
     pub(crate) max_faces: Option<u64>,
     #[command(flatten)]
     pub(crate) form: FormArguments,
+}
+
+// Who looks. No doc comment: it would stand in the help.
+#[derive(Args, Debug)]
+pub(crate) struct ViewArguments {
+    /// The camera through which `frustum`, `pixel-area` and `pixel-length` look: from where, to where, what is up, how many
+    /// degrees the height of the picture takes, and its size in pixels
+    #[arg(long, value_name = "eye=x,y,z,at=x,y,z,up=x,y,z,fov=DEG,size=WxH")]
+    pub(crate) camera: Option<Camera>,
 }
 
 // How a table is printed. No doc comment: it would stand in the help.
@@ -295,6 +328,8 @@ pub(crate) struct RefineArguments {
     /// Do not split edges whose new vertex would be nearer than this to their middle, by `simple` under `butterfly`
     #[arg(long, value_name = "TAU", value_parser = distance, allow_negative_numbers = true)]
     pub(crate) min_move: Option<f64>,
+    #[command(flatten)]
+    pub(crate) view: ViewArguments,
     /// Weights of smooth vertices under `loop` [default: loop]
     #[arg(long)]
     pub(crate) weights: Option<WeightsName>,

@@ -9,7 +9,8 @@ use vvmesh::scratch::Scratch;
 use crate::Outcome as Exit;
 use crate::args::{CompareArguments, FormArguments, MethodName};
 use crate::console::{Failure, note, print, print_json, refuse};
-use crate::input;
+use crate::fields;
+use crate::input::{self, Input};
 use crate::memory::FaceLimit;
 use crate::progress::Bar;
 use crate::table::{Table, seconds};
@@ -56,10 +57,11 @@ struct Columns {
 }
 
 pub(crate) fn run(arguments: &CompareArguments) -> Result<Exit, Failure> {
-    let (expression, _) = input::parse_expression("--select", &arguments.select)?;
+    let (expression, _) = input::parse_expression("--select", &arguments.select, arguments.view.camera)?;
     let scheme = AnyScheme::named(&arguments.scheme.to_string())?;
-    let (mesh, face_numbers) = input::read_mesh(&arguments.mesh)?;
+    let Input { mesh, face_numbers, said, .. } = input::read_mesh(&arguments.mesh, false)?;
     let expression = expression.with_faces_numbered_by(face_numbers);
+    let expression = fields::of_file("--select", expression, said.as_ref().map(|(_, said)| said))?;
     let selection = input::evaluate("--select", &expression, &mesh, &mut Scratch::new())?;
     if selection.is_empty() {
         note(format_args!("--select '{}' picks nothing", arguments.select));

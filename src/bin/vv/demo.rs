@@ -87,7 +87,7 @@ pub(crate) fn run(arguments: &DemoArguments) -> Result<Outcome, Failure> {
 /// The model after all levels.
 fn refined(model: &Mesh, subdivider: Subdivider) -> Result<Run, Failure> {
     let mut run = Run::new(model.clone(), subdivider, Keep { names: true, certificate: true });
-    let (expression, _) = input::parse_expression("--select", SELECT)?;
+    let (expression, _) = input::parse_expression("--select", SELECT, None)?;
     run.selection = input::evaluate("--select", &expression, &run.mesh, &mut run.scratch)?;
     for _ in 0..LEVELS {
         run.step(&mut Control::default())?;

@@ -3,12 +3,12 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use vvmesh::error::{BuildError, ReadError};
+use vvmesh::error::{BuildError, ExpressionError, ExpressionErrorKind, ReadError, SelectError};
 use vvmesh::io::{self, FaceAttributes, Format, Loaded, Note, NoteKind, ObjTags};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion, Expression, Selection};
 use vvmesh::soup::{FaceList, Triangulation};
-use vvmesh::{Mesh, Triangle, VertexId};
+use vvmesh::{Camera, Mesh, Triangle, VertexId};
 
 use crate::console::{Failure, note, refuse};
 use crate::table::count;
@@ -24,13 +24,6 @@ fn tell<'a>(path: &Path, notes: impl IntoIterator<Item = &'a Note>) {
     for ignored in notes {
         note(format_args!("{}: {ignored}", path.display()));
     }
-}
-
-/// Reads a file and makes a mesh of it; polygons are cut into triangles, and that is told.
-pub(crate) fn read_mesh(path: &Path) -> Result<(Mesh, FaceNumbers), Failure> {
-    let faces = read(path)?.faces;
-    let cut = triangulation(path, &faces)?;
-    Ok((mesh_of(path, &faces, cut.as_ref())?, face_numbers(&faces, cut.as_ref())))
 }
 
 /// The faces of a mesh in the order of its file, those of a polygon as it was cut into triangles.
@@ -73,8 +66,9 @@ pub(crate) fn at_line_of(path: &Path, error: ReadError) -> Failure {
     ReadError { path: Some(path.to_owned()), ..error }.into()
 }
 
-/// As [`read_mesh`], for a mesh that is written again; with the tag lines of the file if they are asked for.
-pub(crate) fn read_mesh_with_attributes(path: &Path, with_tags: bool) -> Result<Input, Failure> {
+/// Reads a file and makes a mesh of it, with the tag lines of the file if they are asked for; polygons are cut into triangles,
+/// and that is told.
+pub(crate) fn read_mesh(path: &Path, with_tags: bool) -> Result<Input, Failure> {
     let loaded = io::read(path)?;
     let tags = if with_tags { Some(read_tags(path, &loaded)?) } else { None };
     tell(path, loaded.notes.iter().filter(|note| !with_tags || note.kind != NoteKind::Tags));
@@ -127,18 +121,32 @@ fn mesh_of(path: &Path, faces: &FaceList, cut: Option<&Triangulation>) -> Result
 /// The option whose expression is evaluated at every level, and may have a value for each.
 pub(crate) const SELECT_EACH: &str = "--select-each";
 
-/// An expression given with an option, and the files that it named.
-pub(crate) fn parse_expression(option: &str, text: &str) -> Result<(Expression, Vec<std::path::PathBuf>), Failure> {
+/// An expression given with an option, and the files that it named. A camera through which nothing in it looks is refused.
+pub(crate) fn parse_expression(
+    option: &str,
+    text: &str,
+    camera: Option<Camera>,
+) -> Result<(Expression, Vec<std::path::PathBuf>), Failure> {
     let mut files = Vec::new();
-    let expression = Expression::parse(text, &mut |path| {
+    let mut read = |path: &Path| {
         files.push(path.to_owned());
         std::fs::read_to_string(path)
-    });
+    };
+    let expression = match camera {
+        Some(camera) => Expression::parse_seen(text, camera, &mut read),
+        None => Expression::parse(text, &mut read),
+    };
     match expression {
         Ok(expression) if expression.level_count().is_some() && option != SELECT_EACH => refuse(format!(
             "{option} '{text}': it is evaluated once, and a list has a value for each level; a list belongs to {SELECT_EACH}"
         )),
+        Ok(expression) if camera.is_some() && !expression.uses_camera() => refuse(format!(
+            "--camera has no meaning with {option} '{text}': nothing in it looks through a camera; leave it out"
+        )),
         Ok(expression) => Ok((expression, files)),
+        Err(error @ ExpressionError { kind: ExpressionErrorKind::NoCamera { .. }, .. }) => {
+            refuse(format!("{option} '{text}': {error}; give one with --camera"))
+        }
         Err(error) => refuse(format!("{option} '{text}': {error}")),
     }
 }
@@ -152,6 +160,9 @@ pub(crate) fn evaluate(
 ) -> Result<Selection, Failure> {
     match expression.select(mesh, scratch) {
         Ok(selection) => Ok(selection),
+        Err(error @ SelectError::NoField { .. }) => {
+            refuse(format!("{option}: {error}: colours ride along only where they are written, to OBJ or PLY"))
+        }
         Err(error) => refuse(format!("{option}: {error}")),
     }
 }

@@ -41,7 +41,7 @@ pub(crate) fn run(arguments: &LimitArguments) -> Result<Outcome, Failure> {
     outputs::check(&[(OUT, &arguments.output)], &inputs)?;
 
     let with_tags = arguments.tags.of_mesh.is_some();
-    let Input { mut mesh, said, tags, .. } = input::read_mesh_with_attributes(&arguments.mesh, with_tags)?;
+    let Input { mut mesh, said, tags, .. } = input::read_mesh(&arguments.mesh, with_tags)?;
     sharp::tag(&mut mesh, &arguments.mesh, tags.as_ref(), &arguments.tags)?;
     sharp::refuse_unblended(&mesh, arguments.scheme == LimitName::Loop, arguments.scheme)?;
     refuse_unfaded("", &mesh)?;

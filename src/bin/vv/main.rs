@@ -10,6 +10,7 @@ mod compare;
 mod console;
 mod demo;
 mod demo_model;
+mod fields;
 mod info;
 mod input;
 mod limit;

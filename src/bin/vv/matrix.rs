@@ -33,9 +33,9 @@ pub(crate) fn run(arguments: &mut MatrixArguments) -> Result<Outcome, Failure> {
     }
     outputs::check(&[(OUT, output)], &refine::inputs(asked, &selecting))?;
 
-    let Input { mut mesh, face_numbers, tags, .. } =
-        input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
+    let Input { mut mesh, face_numbers, said, tags } = input::read_mesh(&asked.mesh, asked.tags.of_mesh.is_some())?;
     selecting.number_faces(face_numbers);
+    selecting.take_fields(said.as_ref())?;
     refine::tag(&mut mesh, tags.as_ref(), asked)?;
     let mut matrix = SubdivisionMatrix::new(&mesh);
     let face_limit = FaceLimit::with_matrix(asked, &mesh);

@@ -68,7 +68,7 @@ struct Foretold<'a> {
 
 pub(crate) fn run(arguments: &PredictArguments) -> Result<Outcome, Failure> {
     let path = &arguments.mesh;
-    let Input { mut mesh, tags, .. } = input::read_mesh_with_attributes(path, arguments.tags.of_mesh.is_some())?;
+    let Input { mut mesh, tags, .. } = input::read_mesh(path, arguments.tags.of_mesh.is_some())?;
     sharp::tag(&mut mesh, path, tags.as_ref(), &arguments.tags)?;
     let weights = loop_weights(arguments.weights);
     let foretold =

@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use vvmesh::adaptive::{Incremental, SimpleMoving};
 use vvmesh::certify::Certificate;
 use vvmesh::error::{ConfigError, RefineError};
-use vvmesh::io::ObjTags;
+use vvmesh::io::{FaceAttributes, ObjTags};
 use vvmesh::scheme::{AnyScheme, Butterfly, FourEight, Loop, Midpoint, ModifiedButterfly, Sqrt3};
 use vvmesh::select::Expression;
+use vvmesh::soup::FaceList;
 use vvmesh::split::Diagonal;
 use vvmesh::step::{Blocks, Cause, Keep, SplitKind, Spoiler};
 use vvmesh::subdivide::{AnyMethod, Control, Follower, Subdivider};
@@ -21,7 +22,7 @@ use crate::outputs::{MESH, Named};
 use crate::progress::Bar;
 use crate::run::Run;
 use crate::table::count;
-use crate::{input, limit, sharp};
+use crate::{fields, input, limit, sharp};
 
 /// How many examples a warning gives.
 const EXAMPLES: usize = 3;
@@ -151,7 +152,7 @@ impl Selecting {
     fn new(arguments: &RefineArguments) -> Result<Self, Failure> {
         let each_level = arguments.select_each.is_some();
         let option = if each_level { SELECT_EACH } else { "--select" };
-        let (expression, files) = input::parse_expression(option, expression(arguments))?;
+        let (expression, files) = input::parse_expression(option, expression(arguments), arguments.view.camera)?;
         Ok(Self { option, expression, files, each_level })
     }
 
@@ -160,9 +161,16 @@ impl Selecting {
         self.expression = self.expression.clone().with_faces_numbered_by(numbers);
     }
 
+    /// Takes the fields that the file has.
+    pub(crate) fn take_fields(&mut self, said: Option<&(FaceList, FaceAttributes)>) -> Result<(), Failure> {
+        self.expression = fields::of_file(self.option, self.expression.clone(), said.map(|(_, said)| said))?;
+        Ok(())
+    }
+
     /// Evaluates the expression on the mesh as it is, for so many steps from now; picking nothing is legal, and told.
     pub(crate) fn select(&self, run: &mut Run, step: usize) -> Result<(), Failure> {
         let expression = self.expression.at_level(step).expect("there are as many steps as values");
+        let expression = fields::of_run(expression, run.attributes.as_ref());
         run.selection = input::evaluate(self.option, &expression, &run.mesh, &mut run.scratch)?;
         if run.selection.is_empty() {
             let level = if self.each_level { format!("level {}: ", run.next_level()) } else { String::new() };
@@ -174,6 +182,15 @@ impl Selecting {
 
 pub(crate) fn expression(arguments: &RefineArguments) -> &str {
     arguments.select_each.as_deref().or(arguments.select.as_deref()).unwrap_or("all")
+}
+
+/// The expression with the camera that looks, for what is to know whether both are the same as before.
+pub(crate) fn expression_seen(arguments: &RefineArguments) -> String {
+    let expression = expression(arguments);
+    match arguments.view.camera {
+        Some(camera) => format!("{expression} --camera {camera}"),
+        None => expression.to_owned(),
+    }
 }
 
 pub(crate) fn scheme(arguments: &RefineArguments) -> AnyScheme {

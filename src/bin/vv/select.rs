@@ -10,9 +10,10 @@ use vvmesh::{Edge, Mesh, Triangle, VertexId};
 
 use crate::Outcome;
 use crate::args::SelectArguments;
-use crate::console::{Failure, note, print, print_json};
-use crate::input;
+use crate::console::{Failure, note, print, print_json, refuse};
+use crate::input::Input;
 use crate::table::count;
+use crate::{fields, input, sharp};
 
 /// `selected` and `region` are |S| and |E^r(S)| in vertices, as in the report of `vv subdivide`.
 #[derive(Serialize)]
@@ -42,9 +43,15 @@ enum Kind {
 }
 
 pub(crate) fn run(arguments: &SelectArguments) -> Result<Outcome, Failure> {
-    let (expression, _) = input::parse_expression("--select", &arguments.select)?;
-    let (mesh, face_numbers) = input::read_mesh(&arguments.mesh)?;
+    if arguments.tags.creases.is_some() {
+        return refuse("--creases has no meaning here: nothing is refined; leave it out");
+    }
+    let (expression, _) = input::parse_expression("--select", &arguments.select, arguments.view.camera)?;
+    let with_tags = arguments.tags.of_mesh.is_some();
+    let Input { mut mesh, face_numbers, said, tags } = input::read_mesh(&arguments.mesh, with_tags)?;
+    sharp::tag(&mut mesh, &arguments.mesh, tags.as_ref(), &arguments.tags)?;
     let expression = expression.with_faces_numbered_by(face_numbers.clone());
+    let expression = fields::of_file("--select", expression, said.as_ref().map(|(_, said)| said))?;
     let mut scratch = Scratch::new();
     let selection = input::evaluate("--select", &expression, &mesh, &mut scratch)?;
     if selection.is_empty() {

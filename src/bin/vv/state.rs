@@ -47,7 +47,7 @@ pub(crate) struct State {
     version: u32,
     /// Scheme and method with their options.
     how: String,
-    /// The expression that was evaluated last.
+    /// The expression that was evaluated last, with its camera.
     select: String,
     boundary: String,
     mesh: SavedMesh,

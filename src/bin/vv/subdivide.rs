@@ -37,9 +37,9 @@ pub(crate) fn run(arguments: &mut SubdivideArguments) -> Result<Outcome, Failure
         Some(path) => State::read(path, asked)?.map(|state| (path.as_path(), state)),
         None => None,
     };
-    let Input { mesh, face_numbers, said, tags } =
-        input::read_mesh_with_attributes(&asked.mesh, asked.tags.of_mesh.is_some())?;
+    let Input { mesh, face_numbers, said, tags } = input::read_mesh(&asked.mesh, asked.tags.of_mesh.is_some())?;
     selecting.number_faces(face_numbers);
+    selecting.take_fields(said.as_ref())?;
     let said = attributes::to_take_along(arguments, &mesh, said)?;
     let limit = match said {
         Some(_) => FaceLimit::with_attributes(asked),
@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: &mut SubdivideArguments) -> Result<Outcome, Failure
         None => ready.begin(mesh, tags.as_ref())?,
         Some((path, state)) => ready.go_on(&mesh, path, state)?,
     };
-    if selecting.each_level || !state.as_ref().is_some_and(|state| state.follows(refine::expression(asked))) {
+    if selecting.each_level || !state.as_ref().is_some_and(|state| state.follows(&refine::expression_seen(asked))) {
         selecting.select(&mut run, 1)?;
     }
     let input = run.sizes();
@@ -208,7 +208,7 @@ fn write(
     state: Option<State>,
 ) -> Result<(), Failure> {
     if let Some((path, state)) = arguments.state.as_ref().zip(state) {
-        state.write(path, run, refine::expression(&arguments.refine))?;
+        state.write(path, run, &refine::expression_seen(&arguments.refine))?;
     }
     if let Some(path) = &arguments.vertex_table {
         write_atomically(path, |out| tsv::vertices(run, out))?;
