@@ -49,7 +49,7 @@
 //! Then: [`query`] (stars, disks, areas, angles, normals), [`graph`] (petgraph's algorithms on the rings), [`limit`]
 //! (where infinitely many steps lead, at vertices and between them), [`predict`] (how many steps and faces an accuracy
 //! takes), `matrix` (refinement as a sparse matrix), [`attributes`] (colours, texture coordinates and labels that ride
-//! along), [`compare`] (methods beside uniform refinement), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and transactions), [`soup`]
+//! along), [`stroke`] (refining by drawing, with rays that [`pick`] faces), [`compare`] (methods beside uniform refinement), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and transactions), [`soup`]
 //! (faces that are no mesh yet), [`Mesh::reordered`] (other numbers, for a mesh whose neighbours lie far apart in
 //! memory).
 //!
@@ -181,6 +181,7 @@ pub mod matrix;
 pub mod mesh;
 mod number;
 mod parallel;
+pub mod pick;
 pub mod predict;
 pub mod query;
 pub mod rotation;
@@ -191,6 +192,7 @@ pub mod shapes;
 pub mod soup;
 pub mod split;
 pub mod step;
+pub mod stroke;
 pub mod subdivide;
 
 pub use glam;

@@ -4,8 +4,8 @@
 //! the few measures of a whole mesh.
 //!
 //! Read in this order: [`star()`] (a vertex and what touches it), [`r_disk`], [`r_ring`] and [`expand`] (vertices by
-//! distance), [`measure`] (lengths, angles, areas, normals), [`curvature`], [`normal_cone_rad`] and [`flatness()`] (how a
-//! mesh bends around a vertex).
+//! distance in edges), [`ball_disk`] and [`path_disk`] (by length), [`measure`] (lengths, angles, areas, normals),
+//! [`curvature`], [`normal_cone_rad`] and [`flatness()`] (how a mesh bends around a vertex).
 //!
 //! **Deliberately not here**: components, boundary loops and genus, which the rings alone answer
 //! ([`crate::rotation`]), and shortest paths, which petgraph finds ([`crate::graph`]).
@@ -14,11 +14,13 @@ pub mod curvature;
 mod disk;
 mod flatness;
 pub mod measure;
+mod near;
 mod normal_cone;
 mod star;
 
 pub use disk::{Disk, expand, r_disk, r_ring};
 pub use flatness::{flatness, flatnesses};
+pub use near::{ball_disk, path_disk};
 pub use normal_cone::{normal_cone_rad, normal_cones_rad};
 pub use star::{Star, star};
 
