@@ -71,6 +71,7 @@ pub(crate) enum Command {
     Matrix(MatrixArguments),
     Limit(LimitArguments),
     Predict(PredictArguments),
+    Stroke(StrokeArguments),
 }
 
 /// Refine a region of a built-in mesh by every method and compare
@@ -412,6 +413,95 @@ pub(crate) struct PredictArguments {
     pub(crate) json: bool,
 }
 
+/// Refine a mesh by drawing on it: do again what a file says that a pen did
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Example:
+  vv stroke head.off --stroke pen.json -o drawn --frames 3
+
+The file is JSON:
+  {\"format\": \"vv stroke\", \"version\": 1,
+   \"brush\": {\"euclidean\": 0.05, \"level\": 3, \"pace\": 0.2},
+   \"camera\": {\"eye\": [0, 0, 9], \"at\": [0, 0, 0], \"up\": [0, 1, 0], \"fov\": 40, \"size\": [640, 480]},
+   \"events\": [
+     {\"time\": 0.00, \"ray\": {\"origin\": [0, 0, 9], \"direction\": [0, 0.1, -1]}},
+     {\"time\": 0.02, \"screen\": [320, 200]},
+     {\"time\": 0.04, \"place\": {\"face\": [0, 1, 2], \"weights\": [0.2, 0.3, 0.5]}}]}
+Times are seconds and do not fall. An event points along a ray, through a pixel counted from the
+upper left corner (which needs the camera; fov is that of the height, in degrees), or to a place
+on a face of the input, across which the refined mesh is looked for; and may have a brush of its
+own.
+
+A brush touches the corners of the face that is met, and all vertices within `euclidean` in
+space, as far as the surface does not leave that ball, within `edge_path` along edges, which is
+longer than along the surface, or within a number of `edges`. Of these level 1 is wanted, and
+one more after every `pace` seconds (0, or none: at once all) for which the pen stays within the
+radius of where it came, but not more than `level`. By `incremental` an event refines what is
+touched and coarser by one level, so several have to come; by `dynamic` it brings all of it to
+the level that is wanted.
+
+DIR gets mesh.off (as the input ends), report.json with a row an event, and the frames; the same
+files to the last bit whenever it is done again, unless --times is given. `proven` counts the
+refined vertices that are proven to be where a uniform mesh of some level has them: by `dynamic`
+all, by `incremental` those, with their neighbours, on ground on which nothing was drawn before.")]
+pub(crate) struct StrokeArguments {
+    /// The mesh: OBJ, OFF, PLY or STL
+    #[arg(value_name = "MESH")]
+    pub(crate) mesh: PathBuf,
+    /// What the pen did; see below
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) stroke: PathBuf,
+    /// The folder for what is made, made if it is not there
+    #[arg(short = 'o', value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+    /// Which weights make the new positions
+    #[arg(long, default_value = "loop")]
+    pub(crate) scheme: SchemeName,
+    /// How an event refines; see below
+    #[arg(long, default_value = "incremental")]
+    pub(crate) method: PenName,
+    /// Write so many meshes on the way, evenly spread over the events, or one after each
+    #[arg(long, value_name = "N|all", value_parser = frames, allow_negative_numbers = true)]
+    pub(crate) frames: Option<Frames>,
+    #[command(flatten)]
+    pub(crate) tags: TagArguments,
+    /// Tell in the report how many milliseconds each event took
+    #[arg(long)]
+    pub(crate) times: bool,
+    /// Refuse to make more faces than this [default: what fits the memory that is free]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub(crate) max_faces: Option<u64>,
+    /// Print the report as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// After which events of a stroke meshes are written.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Frames {
+    /// After each.
+    All,
+    /// After so many, evenly spread, the last among them.
+    Count(usize),
+}
+
+impl Frames {
+    /// Counted from 1, ascending.
+    pub(crate) fn of(self, events: usize) -> Vec<usize> {
+        let count = match self {
+            Self::All => events,
+            Self::Count(count) => count.min(events),
+        };
+        (1..=count).map(|k| (k * events).div_ceil(count)).collect()
+    }
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum PenName {
+    Incremental,
+    Dynamic,
+}
+
 /// What is sharp in a mesh that is read.
 #[derive(Args, Debug)]
 pub(crate) struct TagArguments {
@@ -578,11 +668,29 @@ macro_rules! print_as_typed {
     };
 }
 
-print_as_typed!(SchemeName, LimitName, MethodName, DiagonalName, BlocksName, WeightsName, BoundaryName, CreasesName);
+print_as_typed!(
+    SchemeName,
+    LimitName,
+    MethodName,
+    PenName,
+    DiagonalName,
+    BlocksName,
+    WeightsName,
+    BoundaryName,
+    CreasesName
+);
 
 fn accuracy(text: &str) -> Result<Accuracy, String> {
     let accuracy = text.parse().ok().and_then(|distance| Accuracy::new(distance).ok());
     accuracy.ok_or_else(|| "expected a finite distance above 0".to_owned())
+}
+
+fn frames(text: &str) -> Result<Frames, String> {
+    match (text, text.parse()) {
+        ("all", _) => Ok(Frames::All),
+        (_, Ok(count @ 1..)) => Ok(Frames::Count(count)),
+        _ => Err("expected a number, 1 or more, or `all`".to_owned()),
+    }
 }
 
 fn distance(text: &str) -> Result<f64, String> {

@@ -25,6 +25,8 @@ mod run;
 mod select;
 mod sharp;
 mod state;
+mod stroke;
+mod stroke_file;
 mod subdivide;
 mod table;
 mod tsv;
@@ -63,6 +65,7 @@ fn main() -> ExitCode {
         Command::Matrix(mut arguments) => matrix::run(&mut arguments),
         Command::Limit(arguments) => limit::run(&arguments),
         Command::Predict(arguments) => predict::run(&arguments),
+        Command::Stroke(arguments) => stroke::run(&arguments),
     };
     match outcome {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

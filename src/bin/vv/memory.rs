@@ -1,9 +1,11 @@
 //! How many faces fit the memory of the machine.
 
+use std::fmt::Display;
+
 use sysinfo::{MemoryRefreshKind, System};
 use vvmesh::Mesh;
 
-use crate::args::{MethodName, RefineArguments, SchemeName};
+use crate::args::{MethodName, PenName, RefineArguments, SchemeName, StrokeArguments};
 use crate::console::{Failure, refuse};
 
 /// Bytes a face at the peak of a run. Up to 56 were measured, with all that can be kept; the rest is for rings longer than
@@ -12,6 +14,10 @@ const BYTES_A_FACE: u64 = 96;
 
 /// The same by methods that keep a hierarchy. Up to 121 were measured, by `red-green`; 92 by the others.
 const BYTES_A_FACE_ON_HIERARCHY: u64 = 192;
+
+/// What a face takes more where a ray can find it. 110 were measured before anything was drawn; where much is drawn, as many
+/// boxes may be there of faces that are no more, or be joined.
+const BYTES_A_FACE_IN_BOXES: u64 = 256;
 
 /// The same if attributes ride along. Up to 435 were measured, with texture coordinates, normals, colours and groups, under
 /// `four-eight`.
@@ -44,6 +50,15 @@ impl FaceLimit {
     /// The number that the user gave, else what fits the memory that is free now.
     pub(crate) fn new(given: Option<u64>, method: MethodName) -> Self {
         Self::of(given, if method.is_on_hierarchy() { BYTES_A_FACE_ON_HIERARCHY } else { BYTES_A_FACE })
+    }
+
+    /// The same for a pen.
+    pub(crate) fn of_pen(arguments: &StrokeArguments) -> Self {
+        let bytes_a_face = match arguments.method {
+            PenName::Incremental => BYTES_A_FACE,
+            PenName::Dynamic => BYTES_A_FACE_ON_HIERARCHY,
+        };
+        Self::of(arguments.max_faces, bytes_a_face + BYTES_A_FACE_IN_BOXES)
     }
 
     /// The same if attributes ride along.
@@ -94,6 +109,11 @@ impl FaceLimit {
 
     /// Why a level is not made.
     pub(crate) fn refusal(self, level: u8, needed: u64) -> String {
+        self.refusal_of(format_args!("level {level}"), needed)
+    }
+
+    /// Why a mesh that is called by a name is not made.
+    pub(crate) fn refusal_of(self, name: impl Display, needed: u64) -> String {
         let why = match self.memory {
             Some(bytes) => format!(
                 "the {:.1} GiB of free memory hold about {}; take fewer levels or a smaller selection, or allow more with --max-faces",
@@ -104,7 +124,7 @@ impl FaceLimit {
                 format!("--max-faces allows {}; take fewer levels, a smaller selection or a higher limit", self.faces)
             }
         };
-        format!("level {level} would have {needed} faces; {why}. Nothing was written")
+        format!("{name} would have {needed} faces; {why}. Nothing was written")
     }
 }
 
