@@ -10,10 +10,13 @@ use std::time::{Duration, Instant};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, criterion_group, criterion_main};
 use vvmesh::adaptive::Incremental;
+use vvmesh::glam::DVec3;
+use vvmesh::pick::Ray;
 use vvmesh::scheme::{AnyScheme, FourEight, Loop, Sqrt3};
 use vvmesh::scratch::Scratch;
 use vvmesh::select::{Criterion as _, Disk, Selection};
 use vvmesh::step::{History, Keep};
+use vvmesh::stroke::{Aim, Brush, Event, Pen, PenMethod, Radius};
 use vvmesh::subdivide::{Control, Dynamic, Subdivider};
 use vvmesh::{Mesh, VertexId, shapes};
 
@@ -80,8 +83,9 @@ fn local_steps(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, scheme: &An
 /// A pen goes 200 steps over a torus of a million faces; each refines what is near it by two levels more.
 ///
 /// *dynamic* asks for the stars of a disk at level 2, at a place that overlaps with the one before, and gives those up that
-/// the pen has left behind four places ago; *incremental* makes two steps there. The times of the single steps are printed,
-/// as their distribution is what a hand feels.
+/// the pen has left behind four places ago; *incremental* makes two steps there. The *drawn* ones are those of a [`Pen`], which
+/// finds the place by a ray, touches what is near, refines it to level 2 or by one more level, and keeps the boxes around faces
+/// up to date. The times of the single steps are printed, as their distribution is what a hand feels.
 fn pen(criterion: &mut Criterion) {
     const STEPS: usize = 200;
     let coarse = shapes::torus(1000, 500, 2.0, 1.0);
@@ -132,7 +136,31 @@ fn pen(criterion: &mut Criterion) {
             })
         });
     });
+    for (name, method) in [("drawn-dynamic", PenMethod::Dynamic), ("drawn-incremental", PenMethod::Incremental)] {
+        group.bench_function(BenchmarkId::new(name, coarse.face_count()), |bencher| {
+            bencher.iter_custom(|iterations| repeated(iterations, || drawn(&coarse, &path, method)));
+        });
+    }
     group.finish();
+}
+
+/// The times of the events of a pen that is held above a path, each with another place to find.
+fn drawn(coarse: &Mesh, path: &[VertexId], method: PenMethod) -> Vec<Duration> {
+    let mut pen = Pen::new(coarse.clone(), Loop::default(), method).expect("it splits in four");
+    // As far as three edges of the torus.
+    let brush = Brush::new(Radius::Euclidean(0.045), 2, 0.0).expect("a sound brush");
+    let draw = |(k, &v): (usize, &VertexId)| {
+        // Not quite at a vertex, from above the torus.
+        let above = coarse.position(v) + DVec3::new(1e-4, 2e-4, 3.0);
+        let ray = Ray::new(above, DVec3::new(1e-3, 2e-3, -1.0)).expect("a direction");
+        let event = Event { time: k as f64, aim: Aim::Along(ray), brush };
+        let start = Instant::now();
+        let touch = pen.touch(&event, &mut Control::default()).expect("a torus can be refined");
+        let time = start.elapsed();
+        assert!(touch.added > 0, "there is something left to refine in front of the pen");
+        time
+    };
+    path.iter().enumerate().map(draw).collect()
 }
 
 fn disk(mesh: &Mesh, center: VertexId, scratch: &mut Scratch) -> Selection {
