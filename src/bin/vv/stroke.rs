@@ -81,8 +81,7 @@ pub(crate) fn run(arguments: &StrokeArguments) -> Result<Outcome, Failure> {
         ));
     }
     let stroke = StrokeFile::read(&arguments.stroke)?;
-    let Input { mut mesh, said, tags } =
-        input::read_mesh_with_attributes(&arguments.mesh, arguments.tags.of_mesh.is_some())?;
+    let Input { mut mesh, said, tags, .. } = input::read_mesh(&arguments.mesh, arguments.tags.of_mesh.is_some())?;
     if said.is_some() {
         note(format_args!("{}: positions and faces alone are drawn on and written again", arguments.mesh.display()));
     }
