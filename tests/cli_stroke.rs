@@ -230,10 +230,10 @@ fn what_is_no_stroke_is_refused_with_its_event_or_line() {
         camera[part] = value;
         add("", "camera", camera)
     };
-    refused(&desk, camera("at", json!([1, 2, 3])), "camera: `at` is another point than `eye`");
-    refused(&desk, camera("up", json!([1, 2, 3])), "camera: `up` is a direction across");
+    refused(&desk, camera("at", json!([1, 2, 3])), "camera: at = [1, 2, 3]: expected another point than the eye");
+    refused(&desk, camera("up", json!([1, 2, 3])), "camera: up = [1, 2, 3]: expected a direction across");
     refused(&desk, camera("fov", json!(180)), "camera: fov = 180");
-    refused(&desk, camera("size", json!([0, 3])), "camera: `size`");
+    refused(&desk, camera("size", json!([0, 3])), "camera: size = 0x3: expected at least 1x1 pixels");
     // No number of JSON, or one that is too large, is told with its line.
     refused(&desk, good.to_string().replace("0.5", "NaN"), "line 1 column");
     refused(&desk, good.to_string().replace("0.5", "1e999"), "line 1 column");

@@ -90,6 +90,23 @@ impl Camera {
         self.eye
     }
 
+    /// The direction from the eye through a point of the picture: columns from its left border, rows from its upper one. Not of
+    /// length 1.
+    ///
+    /// ```
+    /// use vvmesh::{Camera, glam::DVec3};
+    /// let camera: Camera = "eye=0,0,2,at=0,0,0,up=0,1,0,fov=90,size=640x480".parse()?;
+    /// let upper_left = camera.direction_through([0.0, 0.0]);
+    /// assert!(upper_left.normalize().distance(DVec3::new(-4.0 / 3.0, 1.0, -1.0).normalize()) < 1e-15);
+    /// # Ok::<(), vvmesh::error::ConfigError>(())
+    /// ```
+    #[must_use]
+    pub fn direction_through(&self, [column, row]: [f64; 2]) -> DVec3 {
+        let [right, up, into] = self.axes;
+        let [half_width, half_height] = self.size.map(|pixels| f64::from(pixels) / 2.0);
+        into * self.scale + right * (column - half_width) + up * (half_height - row)
+    }
+
     /// How many pixels a triangle covers: the area of its picture, up to the near plane. It does not matter from which side
     /// it is seen, whether something hides it, or whether it lies beside the picture.
     #[must_use]

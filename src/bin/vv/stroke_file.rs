@@ -10,7 +10,7 @@ use vvmesh::glam::DVec3;
 use vvmesh::pick::Ray;
 use vvmesh::query::measure::triangle_normal;
 use vvmesh::stroke::{Aim, Brush, Event, Radius};
-use vvmesh::{Mesh, VertexId};
+use vvmesh::{Angle, Camera, Mesh, VertexId};
 
 use crate::console::{Failure, refuse};
 
@@ -113,9 +113,9 @@ impl StrokeFile {
 
     /// The events on a mesh, in the order of their times. A refusal names the event, counted from 1.
     pub(crate) fn events(&self, path: &Path, mesh: &Mesh) -> Result<Vec<Event>, Failure> {
-        let camera = match self.camera.as_ref().map(Camera::new).transpose() {
+        let camera = match self.camera.as_ref().map(SavedCamera::check).transpose() {
             Ok(camera) => camera,
-            Err(error) => return refused(path, error),
+            Err(error) => return refused(path, format_args!("camera: {error}")),
         };
         let brush = match self.brush.check() {
             Ok(brush) => brush,
@@ -156,13 +156,21 @@ impl SavedEvent {
             (Some(ray), None, None) => Aim::Along(ray.check().map_err(|error| error.to_string())?),
             (None, Some(point), None) => {
                 let camera = camera.ok_or("`screen` needs a `camera` in the file")?;
-                Aim::Along(camera.through(point).map_err(|error| error.to_string())?)
+                let ray = Ray::new(camera.eye(), camera.direction_through(point));
+                Aim::Along(ray.map_err(|error| error.to_string())?)
             }
             (None, None, Some(place)) => Aim::Near(place.check(mesh)?),
             _ => return Err("an event has one of `ray`, `screen` and `place`".to_owned()),
         };
         let brush = self.brush.as_ref().map(SavedBrush::check).transpose()?.unwrap_or(brush);
         Ok(Event { time: self.time, aim, brush })
+    }
+}
+
+impl SavedCamera {
+    fn check(&self) -> Result<Camera, ConfigError> {
+        let &Self { eye, at, up, fov, size } = self;
+        Camera::new(eye.into(), at.into(), up.into(), Angle::from_deg(fov), size)
     }
 }
 
@@ -193,41 +201,6 @@ impl SavedPlace {
         let place = corners.iter().zip(self.weights).map(|(&corner, weight)| corner * (weight / sum)).sum();
         let normal = triangle_normal(corners).ok_or_else(|| format!("the face {a}, {b}, {c} has no area"))?;
         Ray::new(place, normal).map_err(|error| error.to_string())
-    }
-}
-
-/// A camera that was found to be one.
-struct Camera {
-    eye: DVec3,
-    /// To the right, downwards, and into the picture; the last by how far away a pixel is as long as 1.
-    axes: [DVec3; 3],
-    middle: [f64; 2],
-}
-
-impl Camera {
-    fn new(saved: &SavedCamera) -> Result<Self, String> {
-        let [eye, at, up] = [saved.eye, saved.at, saved.up].map(DVec3::from);
-        let forward =
-            Ray::new(eye, at - eye).map_err(|_| "camera: `at` is another point than `eye`, not too far from it")?;
-        let forward = forward.direction();
-        let right = forward.cross(up.normalize_or_zero()).try_normalize();
-        let right = right.ok_or("camera: `up` is a direction across the line from `eye` to `at`")?;
-        if !(saved.fov > 0.0 && saved.fov < 180.0) {
-            return Err(format!("camera: fov = {}: expected degrees above 0 and below 180", saved.fov));
-        }
-        let [width, height] = saved.size.map(f64::from);
-        if width * height == 0.0 {
-            return Err("camera: `size` has at least one column and one row".to_owned());
-        }
-        let distance = height / (2.0 * (saved.fov.to_radians() / 2.0).tan());
-        let axes = [right, forward.cross(right), forward * distance];
-        Ok(Self { eye, axes, middle: [width / 2.0, height / 2.0] })
-    }
-
-    /// The ray from the eye through a point of the picture.
-    fn through(&self, [x, y]: [f64; 2]) -> Result<Ray, ConfigError> {
-        let [right, down, into] = self.axes;
-        Ray::new(self.eye, into + right * (x - self.middle[0]) + down * (y - self.middle[1]))
     }
 }
 
