@@ -53,7 +53,7 @@ impl<'a> Reference<'a> {
     /// The reference for a mesh, a selection, a scheme and so many levels; `max_faces` bounds every mesh that is made.
     ///
     /// # Errors
-    /// Those of [`Subdivider::step`].
+    /// Those of [`Subdivider::step`]; too many faces before anything is made, if those inside of the selection become too many.
     ///
     /// # Complexity
     /// That of incremental refinement with three rings, and O(selected) a level.
@@ -65,6 +65,10 @@ impl<'a> Reference<'a> {
         max_faces: Option<u64>,
     ) -> Result<Self, RefineError> {
         let scheme = scheme.into();
+        let needed = sizes::at_least(mesh, selection, scheme.split_kind(), levels);
+        if let Some(allowed) = max_faces.filter(|&allowed| needed > allowed) {
+            return Err(RefineError::TooManyFaces { needed, allowed });
+        }
         let rings = Incremental::new(RINGS).expect("there are some");
         let mut run = Run::new(mesh, selection, Subdivider::new(scheme.clone(), rings), true);
         let mut kept = Vec::new();

@@ -1,7 +1,9 @@
-//! How large uniform meshes are that nobody made.
+//! How large meshes are that nobody made.
 
+use crate::id::Triangle;
 use crate::mesh::Mesh;
 use crate::predict::FullSize;
+use crate::select::Selection;
 use crate::step::SplitKind;
 
 /// Faces and vertices after so many uniform steps; `None` if 64 bits do not hold them, and of bisections, as it is the pairing
@@ -11,6 +13,24 @@ pub(super) fn uniform(mesh: &Mesh, kind: SplitKind, steps: u8) -> Option<[u64; 2
         SplitKind::Quadrisect => FullSize::new(mesh, steps.into()).map(|size| [size.faces, size.vertices]),
         SplitKind::Trisect => trisected(mesh, steps),
         SplitKind::Bisect => None,
+    }
+}
+
+/// How many faces there are at least after so many steps of a selection that is followed: splitting in four, those that come of
+/// the faces inside of it stay inside. As many as there are if nothing is known. O(vertices + faces · log(selected)).
+pub(super) fn at_least(mesh: &Mesh, selection: &Selection, kind: SplitKind, steps: u8) -> u64 {
+    let faces = mesh.face_count() as u64;
+    let is_inside = |triangle: &Triangle| triangle.corners().iter().all(|&v| selection.contains(v));
+    match kind {
+        SplitKind::Quadrisect => {
+            let inside = mesh.triangles().filter(is_inside).count() as u64;
+            let parts = 4_u64.saturating_pow(steps.into());
+            inside.saturating_mul(parts).saturating_add(faces - inside)
+        }
+        SplitKind::Trisect if selection.len() == mesh.vertex_count() => {
+            trisected(mesh, steps).map_or(u64::MAX, |[faces, _]| faces)
+        }
+        SplitKind::Trisect | SplitKind::Bisect => faces,
     }
 }
 
@@ -30,7 +50,6 @@ mod tests {
     use crate::adaptive::Uniform;
     use crate::scheme::{AnyScheme, Loop, Sqrt3};
     use crate::scratch::Scratch;
-    use crate::select::Selection;
     use crate::shapes;
     use crate::step::{History, Keep};
     use crate::subdivide::{Control, Subdivider};
@@ -47,9 +66,14 @@ mod tests {
                     subdivider.step(&mut mesh, &mut history, &none, scratch, control).expect("nothing limits it");
                     let made = [mesh.face_count() as u64, mesh.vertex_count() as u64];
                     assert_eq!(uniform(&input, kind, steps), Some(made), "{kind:?} {steps}");
+                    let all = Selection::all(input.vertex_count());
+                    assert_eq!(at_least(&input, &all, kind, steps), made[0], "{kind:?} {steps}");
                 }
             }
         }
         assert_eq!(uniform(&shapes::icosahedron(), SplitKind::Trisect, 255), None);
+        let (grid, part) = (shapes::grid(3, 2), (0..4).map(crate::VertexId::new).collect());
+        assert_eq!(at_least(&grid, &part, SplitKind::Quadrisect, 2), 12);
+        assert_eq!(at_least(&grid, &Selection::all(12), SplitKind::Quadrisect, 255), u64::MAX);
     }
 }
