@@ -48,10 +48,11 @@
 //!
 //! Then: [`query`] (stars, disks, areas, angles, normals), [`graph`] (petgraph's algorithms on the rings), [`limit`]
 //! (where infinitely many steps lead, at vertices and between them), [`predict`] (how many steps and faces an accuracy
-//! takes), `matrix` (refinement as a sparse matrix), [`attributes`] (colours, texture coordinates and labels that ride
-//! along), [`stroke`] (refining by drawing, with rays that [`pick`] faces), [`compare`] (methods beside uniform refinement), [`check`] (what keeps faces from being a conforming mesh), [`rotation`] (edits and transactions), [`soup`]
-//! (faces that are no mesh yet), [`Mesh::reordered`] (other numbers, for a mesh whose neighbours lie far apart in
-//! memory).
+//! takes), [`until`] (refining until an accuracy is reached), `matrix` (refinement as a sparse matrix), [`attributes`]
+//! (colours, texture coordinates and labels that ride along), [`stroke`] (refining by
+//! drawing, with rays that [`pick`] faces), [`compare`] (methods beside uniform refinement), [`check`]
+//! (what keeps faces from being a conforming mesh), [`rotation`] (edits and transactions), [`soup`] (faces that are no
+//! mesh yet), [`Mesh::reordered`] (other numbers, for a mesh whose neighbours lie far apart in memory).
 //!
 //! # Features
 //!
@@ -194,6 +195,7 @@ pub mod split;
 pub mod step;
 pub mod stroke;
 pub mod subdivide;
+pub mod until;
 
 pub use glam;
 pub use petgraph;

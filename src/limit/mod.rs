@@ -36,6 +36,7 @@ pub use modified_butterfly::ModifiedButterflyLimit;
 pub use normals::Normals;
 pub use sqrt3::Sqrt3Limit;
 pub use surface::{Evaluation, LimitSurface, Patch};
+pub(crate) use surface::{Fan, Fans, Rule};
 
 use glam::DVec3;
 

@@ -11,10 +11,10 @@ use crate::scheme::LoopWeights;
 
 /// For so many levels irregular vertices are followed. What is then left of their differences, at most 0.625⁴⁰ ≈ 7e-9, is
 /// bounded by a series.
-const LEVELS: usize = 40;
+pub(super) const LEVELS: usize = 40;
 
 /// What rounding adds at most, as a part of the greatest coordinate: some hundred roundings on the way to a point.
-const ROUNDING: f64 = 1.0 / (1_u64 << 45) as f64;
+pub(crate) const ROUNDING: f64 = 1.0 / (1_u64 << 45) as f64;
 
 /// The greatest distance, at any depth, between the mesh that so many uniform steps make and its limit surface: at no point
 /// of the mesh is the point of the surface with the same parameters farther away.

@@ -23,17 +23,20 @@
 //!
 //! Read in this order: [`Estimate`], [`FullSize`], [`DistanceBound`], [`Measured`].
 //!
-//! **Deliberately not here**: refining until an accuracy is reached, and other schemes. The vertices of interpolating ones
-//! are their own limits, so nothing can be told from their distances.
+//! **Deliberately not here**: refining until an accuracy is reached ([`crate::until`]), and other schemes. The vertices
+//! of interpolating ones are their own limits, so nothing can be told from their distances.
 
 mod bound;
 mod estimate;
+mod face;
 mod measured;
 mod size;
 mod star;
 
 pub use bound::DistanceBound;
+pub(crate) use bound::ROUNDING;
 pub use estimate::{Estimate, Rate};
+pub(crate) use face::Face;
 pub use measured::Measured;
 pub use size::FullSize;
 

@@ -4,8 +4,12 @@ use glam::DVec3;
 use smallvec::SmallVec;
 
 use crate::id::VertexId;
+use crate::limit::{Fan, Rule as FanRule};
 use crate::mesh::{Mesh, VertexClass};
 use crate::scheme::{LoopWeights, crease_neighbors};
+
+/// For so many levels darts are followed to their limit, whose way has no single rate: 0.625⁶⁴ is 1e-13.
+const DART_LEVELS: usize = 64;
 
 /// What a step makes of the motion of a vertex.
 #[derive(Clone, Copy, Debug)]
@@ -57,6 +61,30 @@ impl Star {
         Self { differences: (0..n).map(difference).collect(), is_sharp, is_open: ring.is_open(), motion, rule }
     }
 
+    /// What a fan has of the star of its vertex. O(faces).
+    pub(super) fn of_fan(fan: &Fan) -> Self {
+        let (ring, faces, center) = (&fan.ring[..], fan.faces(), fan.center);
+        let is_open = !fan.rule.is_whole();
+        let places = if is_open { faces + 1 } else { faces };
+        let is_sharp: SmallVec<[bool; 8]> = (0..places).map(|place| fan.is_sharp(place)).collect();
+        let difference = |place: usize| match is_sharp[place] {
+            true => DVec3::ZERO,
+            false => {
+                let before = ring[if place == 0 { faces - 1 } else { place - 1 }];
+                (before - ring[place]) + (ring[place + 1] - center)
+            }
+        };
+        let (motion, rule) = match fan.rule {
+            FanRule::Smooth([_, alpha]) | FanRule::Dart([_, alpha]) => {
+                let even = Rule::Even { own: 0.5 - faces as f64 * alpha, each: alpha / 8.0 };
+                (alpha * ring[..faces].iter().map(|x| x - center).sum::<DVec3>(), even)
+            }
+            FanRule::Crease => (0.125 * ((ring[0] - center) + (ring[faces] - center)), Rule::Quarter),
+            FanRule::Corner | FanRule::Cone => (DVec3::ZERO, Rule::Quarter),
+        };
+        Self { differences: (0..places).map(difference).collect(), is_sharp, is_open, motion, rule }
+    }
+
     /// The star of the same vertex after a step. O(valence), in place.
     pub(super) fn refine(&mut self) {
         let Some((&first, &last)) = self.differences.first().zip(self.differences.last()) else { return };
@@ -82,6 +110,40 @@ impl Star {
     /// The length of the greatest difference.
     pub(super) fn greatest_difference(&self) -> f64 {
         greatest(self.differences.iter().copied())
+    }
+
+    /// The length of the greatest difference but one.
+    pub(super) fn greatest_difference_but(&self, place: usize) -> f64 {
+        let (before, after) = self.differences.split_at(place);
+        greatest(before.iter().chain(&after[1..]).copied())
+    }
+
+    /// The difference of the edge to a neighbour.
+    pub(super) fn difference(&self, place: usize) -> DVec3 {
+        self.differences[place]
+    }
+
+    /// The way from the vertex to its limit.
+    pub(super) fn way_to_limit(&self) -> DVec3 {
+        match self.rule {
+            Rule::Quarter => self.motion / 0.75,
+            Rule::Even { own, .. } if !self.is_sharp.contains(&true) => self.motion / (0.875 - own),
+            Rule::Even { .. } => {
+                let mut star = self.clone();
+                let mut motion = |_| {
+                    let motion = star.motion;
+                    star.refine();
+                    motion
+                };
+                (0..DART_LEVELS).map(&mut motion).sum()
+            }
+        }
+    }
+
+    /// How far any point of a triangle at an irregular vertex may still go, if differences elsewhere are so great: by the
+    /// rates at which all of it shrinks.
+    pub(super) fn rest(&self, regular: f64) -> f64 {
+        0.5 * regular + 3.0 * (self.greatest_difference() + 3.0 * self.motion())
     }
 
     /// How far the next step moves the vertex.

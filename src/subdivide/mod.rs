@@ -30,6 +30,7 @@ mod whole;
 pub use follow::{Assignment, Follower, StepMasks, ValueId};
 pub(crate) use hierarchy::GrownOver;
 pub use hierarchy::{Change, Dynamic, Target};
+pub(crate) use hierarchy::{Leaf, Leaves, name as scheme_name};
 pub use mobile::MobileStep;
 pub use pairs::{AnyMethod, Promise, promise};
 pub use values::Values;
@@ -362,14 +363,16 @@ impl Subdivider {
             Method::Region(method) => method.region(mesh, selection, scratch),
             Method::Mobile(method) => method.region(mesh, history, selection),
             Method::RedGreen => {
-                return with_scheme!(
+                let step = with_scheme!(
                     &self.scheme,
                     scheme => {
                         let quadrisection = self.quadrisection(scheme);
                         red_green::step(&quadrisection, mesh, history, selection, scratch, control)
                     },
                     else unreachable!("other schemes are refused")
-                );
+                )?;
+                history.note_part();
+                return Ok(step);
             }
             Method::OnHierarchy(_) => unreachable!("it has no region"),
         };

@@ -8,12 +8,12 @@ use smallvec::SmallVec;
 
 use super::bezier::Bezier;
 use crate::id::VertexId;
-use crate::mesh::{Mesh, VertexClass};
+use crate::mesh::{Mesh, Neighborhood, VertexClass};
 use crate::scheme::LoopWeights;
 
 /// What becomes of the vertex in the middle of a fan, and whether the ends of the fan are sharp edges.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Rule {
+pub(crate) enum Rule {
     /// A whole ring; 3/8 + λ for the vertex, and α for each neighbour.
     Smooth([f64; 2]),
     /// The same with one sharp edge, at which the fan begins and ends.
@@ -32,20 +32,20 @@ impl Rule {
         Self::Smooth([0.375 + weights.lambda(n), weights.alpha(n)])
     }
 
-    fn is_whole(self) -> bool {
+    pub(crate) fn is_whole(self) -> bool {
         matches!(self, Self::Smooth(_) | Self::Cone)
     }
 }
 
 /// A corner of a triangle with its neighbours in order.
 #[derive(Clone, Debug)]
-pub(super) struct Fan {
-    pub(super) center: DVec3,
+pub(crate) struct Fan {
+    pub(crate) center: DVec3,
     /// One more than faces: a whole ring ends with its first neighbour again.
-    ring: SmallVec<[DVec3; 7]>,
+    pub(crate) ring: SmallVec<[DVec3; 7]>,
     /// The place of the next corner of the triangle; the third one follows. 0 in a whole ring.
     at: usize,
-    rule: Rule,
+    pub(crate) rule: Rule,
 }
 
 impl Fan {
@@ -56,15 +56,19 @@ impl Fan {
         Self { center, ring, at: 0, rule }
     }
 
-    /// The corner `v` of a triangle of a mesh whose next corner is `next`.
-    fn of(mesh: &Mesh, weights: LoopWeights, v: VertexId, next: VertexId) -> Self {
-        let (around, ring) = (mesh.neighborhood(), mesh.ring(v));
-        let center = mesh.position(v);
+    /// The corner `v` of a triangle, not semi-sharp, whose next corner is `next`; with the places of it and its neighbours.
+    pub(crate) fn of(
+        around: Neighborhood<'_>,
+        position: impl Fn(VertexId) -> DVec3,
+        weights: LoopWeights,
+        [v, next]: [VertexId; 2],
+    ) -> Self {
+        let (ring, center) = (around.ring(v), position(v));
         let even = |n: usize| [0.375 + weights.lambda(n), weights.alpha(n)];
         let class = around.class(v);
         let with_place = |sector: crate::mesh::Sector<'_>| {
             let at = sector.neighbors().take(sector.face_count()).position(|w| w == next)?;
-            Some((sector.neighbors().map(|w| mesh.position(w)).collect(), at))
+            Some((sector.neighbors().map(&position).collect(), at))
         };
         if let Some((positions, at)) = around.sectors(v).find_map(with_place) {
             let rule = match class {
@@ -77,7 +81,7 @@ impl Fan {
         let slot = ring.slot_of(next).expect("the corners of a triangle are neighbours");
         let (before, after) = ring.neighbors().split_at(slot);
         let rule = if class == VertexClass::Corner { Rule::Cone } else { Rule::Smooth(even(ring.valence())) };
-        Self::whole(center, after.iter().chain(before).map(|&w| mesh.position(w)), rule)
+        Self::whole(center, after.iter().chain(before).map(|&w| position(w)), rule)
     }
 
     /// The neighbours of a smooth vertex, from the next corner of the triangle on; `None` for any other.
@@ -90,7 +94,7 @@ impl Fan {
     ///
     /// Across a regular crease the sector is continued by reflection: with it the rules of inner vertices give the same
     /// points as those of the crease.
-    pub(super) fn hexagon(&self) -> Option<[DVec3; 6]> {
+    pub(crate) fn hexagon(&self) -> Option<[DVec3; 6]> {
         let mut six: [DVec3; 6] = match (self.rule, &self.ring[..]) {
             (Rule::Smooth(_), &[a, b, c, d, e, f, _]) => [a, b, c, d, e, f],
             (Rule::Crease, &[a, b, c, d]) => [a, b, c, d, self.center + d - c, self.center + a - b],
@@ -100,13 +104,23 @@ impl Fan {
         Some(six)
     }
 
-    fn faces(&self) -> usize {
+    pub(crate) fn faces(&self) -> usize {
         self.ring.len() - 1
     }
 
     /// Whether the edge to the neighbour at a place is sharp.
-    fn is_sharp(&self, place: usize) -> bool {
+    pub(crate) fn is_sharp(&self, place: usize) -> bool {
         !self.rule.is_whole() && (place == 0 || place == self.faces())
+    }
+
+    /// The place of the next corner of the triangle.
+    pub(crate) fn next(&self) -> usize {
+        self.at
+    }
+
+    /// The place of the third corner of the triangle.
+    pub(crate) fn third(&self) -> usize {
+        self.at + 1
     }
 
     /// The neighbour before the next corner of the triangle.
@@ -143,16 +157,17 @@ impl Fan {
 
 /// A triangle as the fans of its corners.
 #[derive(Clone, Debug)]
-pub(super) struct Fans(pub(super) [Fan; 3]);
+pub(crate) struct Fans(pub(crate) [Fan; 3]);
 
 impl Fans {
     /// The fans of a triangle of a mesh.
     pub(super) fn of(mesh: &Mesh, weights: LoopWeights, corners: [VertexId; 3]) -> Self {
-        Self([0, 1, 2].map(|c| Fan::of(mesh, weights, corners[c], corners[(c + 1) % 3])))
+        let position = |v| mesh.position(v);
+        Self([0, 1, 2].map(|c| Fan::of(mesh.neighborhood(), position, weights, [corners[c], corners[(c + 1) % 3]])))
     }
 
     /// The same, moved.
-    pub(super) fn moved(mut self, by: DVec3) -> Self {
+    pub(crate) fn moved(mut self, by: DVec3) -> Self {
         for fan in &mut self.0 {
             fan.center += by;
             fan.ring.iter_mut().for_each(|x| *x += by);
@@ -168,13 +183,13 @@ impl Fans {
     }
 
     /// The four triangles after a step: see [`Fans::part`].
-    pub(super) fn split(&self) -> [Self; 4] {
+    pub(crate) fn split(&self) -> [Self; 4] {
         [0, 1, 2, 3].map(|part| self.part(part))
     }
 
     /// One of the triangles after a step: number 0, 1 or 2 at that corner, 3 between them. It has its corners in the order of
     /// the corners that they are nearest to or, for the one between, opposite to.
-    pub(super) fn part(&self, part: usize) -> Self {
+    pub(crate) fn part(&self, part: usize) -> Self {
         let fans = self.0.each_ref().map(Fan::refined);
         let between = |c: usize, seen| Self::between([&fans[c], &fans[(c + 1) % 3]], seen);
         match part {

@@ -15,7 +15,7 @@ use crate::mesh::Mesh;
 use crate::scheme::LoopWeights;
 use bezier::Bezier;
 use eigen::{Coefficients, EigenBasis};
-use fan::Fans;
+pub(crate) use fan::{Fan, Fans, Rule};
 
 /// Up to this valence extraordinary corners have an eigenbasis; above, whose would be large, points are found by steps.
 const BASES: usize = 32;

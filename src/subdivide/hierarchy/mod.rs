@@ -17,12 +17,14 @@
 mod dynamic;
 mod follow;
 mod grow;
+mod leaves;
 mod over;
 mod patch;
 mod sharpness;
 mod shrink;
 
 pub use dynamic::{Dynamic, Target};
+pub(crate) use leaves::{Leaf, Leaves};
 pub(crate) use over::GrownOver;
 
 use grow::grow;
@@ -64,8 +66,8 @@ pub(super) enum Demand {
     Stars,
 }
 
-/// The name of a scheme, with its weights: positions that different ones make do not go together.
-fn name(scheme: &AnyScheme) -> &'static str {
+/// The name by which a hierarchy remembers a scheme, with its weights: positions that different ones make do not go together.
+pub(crate) fn name(scheme: &AnyScheme) -> &'static str {
     match scheme {
         AnyScheme::Loop(scheme) if scheme.weights() == LoopWeights::Warren => "loop with Warren's weights",
         other => other.name(),

@@ -4,9 +4,10 @@ use glam::DVec3;
 
 use super::sharpness::LevelTags;
 use crate::id::{Edge, VertexId};
+use crate::limit::Fan;
 use crate::mesh::{Mesh, Neighborhood, Tags};
 use crate::rotation::{Ring, RingBuf, RotationSystem};
-use crate::scheme::{Mask, MaskSink, Reach, Scheme, WeightedSum};
+use crate::scheme::{LoopWeights, Mask, MaskSink, Reach, Scheme, WeightedSum};
 use crate::split::hierarchy::{Levels, Shown};
 use crate::step::{Parent, Places, Refinement};
 use crate::subdivide::ValueId;
@@ -107,6 +108,29 @@ impl Patch {
             Center::Vertex(v) => scheme.even(around, v, mask),
             Center::Edge(parent) => scheme.odd(around, &parent, mask),
         }
+    }
+
+    /// The fan of a vertex toward a neighbour at a level, if its star is complete there and not semi-sharp.
+    pub(super) fn fan(
+        &mut self,
+        view: View<'_>,
+        weights: LoopWeights,
+        [v, next]: [VertexId; 2],
+        level: u8,
+    ) -> Option<Fan> {
+        if level > 0 && !view.levels.hierarchy().has_star(v, level) {
+            return None;
+        }
+        let center = VertexId::new(0);
+        self.begin([v]);
+        self.add_star(view, center, level);
+        let around = Neighborhood::new(&self.rotation, &self.tags);
+        if around.is_semi_sharp(center) {
+            return None;
+        }
+        let next = self.names.iter().position(|&name| name == next).expect("they are neighbours at the level");
+        let position = |w: VertexId| view.position(self.names[w.index()], level);
+        Some(Fan::of(around, position, weights, [center, VertexId::new(next)]))
     }
 
     /// Takes in what the mask reads, and answers with the center by its numbers here.
