@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use vvmesh::scheme::LoopWeights;
-use vvmesh::{Accuracy, Camera};
+use vvmesh::{Accuracy, Camera, Length};
 
 /// What an expression may be, for the help of the options that take one.
 const EXPRESSIONS: &str = "\
@@ -54,7 +54,7 @@ Example:
   vv subdivide spot.obj -o fine.obj --scheme loop --levels 3 --method incremental --select disk:0,2
 
 Meshes are read and written as OBJ, OFF, PLY and STL. Ids count from 0, in OBJ too.
-Exit codes: 0 done, 1 check found something, 2 usage or input.")]
+Exit codes: 0 done, 1 check found something or --until was not reached, 2 usage or input.")]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -161,6 +161,7 @@ pub(crate) struct SelectArguments {
 {EXPRESSIONS}Example:
   vv subdivide spot.obj -o fine.obj --scheme loop --levels 3 --method incremental \\
       --select disk:0,4 --report report.json
+  vv subdivide spot.obj -o near.obj --scheme loop --until 0.1%
 
 From OBJ to OBJ texture coordinates, colours, normals, groups, objects and materials are kept; PLY
 has texture coordinates and colours in eight bits, STL nothing but corners in single precision.
@@ -299,20 +300,32 @@ pub(crate) struct RefineArguments {
     /// Which weights make the new positions; `sqrt3` also splits triangles in its own way, in three instead of four
     #[arg(long)]
     pub(crate) scheme: SchemeName,
-    /// How many steps; 0 copies the mesh. With `mobile` as many as it takes, but no more than this if it is given; with
-    /// lists in --select-each as many as they have values
-    #[arg(long, value_name = "N", allow_negative_numbers = true, required_unless_present_any = ["accuracy", "select_each"])]
+    /// How many steps; 0 copies the mesh. With `mobile` and --until as many as it takes, but no more than this if it is
+    /// given; with lists in --select-each as many as they have values
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(required_unless_present_any = ["accuracy", "select_each", "until"])]
     pub(crate) levels: Option<u8>,
     /// What each step refines: everything; the selection; the selection with the rings around it; the faces inside the
     /// selection, closed anew in each step; the same with what it needs to be exact; all faces around selected vertices,
     /// up to the level of the step, with what that needs; or of the selection what is farther from its limit than
-    /// --accuracy, under `loop`
-    #[arg(long)]
+    /// --accuracy, under `loop` [default with --until: dynamic]
+    #[arg(long, required = false, required_unless_present = "until")]
+    #[arg(default_value_if("until", clap::builder::ArgPredicate::IsPresent, "dynamic"), hide_default_value = true)]
     pub(crate) method: MethodName,
     /// How near to its limit `mobile` brings a vertex before it stays for ever
     #[arg(long, value_name = "EPS", value_parser = accuracy, allow_negative_numbers = true)]
     #[arg(required_if_eq("method", "mobile"))]
     pub(crate) accuracy: Option<Accuracy>,
+    /// Refine where the limit surface of `loop` may be farther away than this, until it is nowhere; by `dynamic`,
+    /// `red-green-restricted` or `uniform`. A distance, or one in percent (`0.1%`) of the diagonal of the bounding box. If
+    /// --levels or --max-faces end it before, all is written that was made, and the exit code is 1
+    #[arg(long, value_name = "EPS", value_parser = length, allow_negative_numbers = true)]
+    #[arg(conflicts_with_all = ["select", "select_each"])]
+    pub(crate) until: Option<Length>,
+    /// What --until looks at: a proven bound of the distance between each face and the surface, or the distance of the vertices
+    /// to their limits, between which the surface may be anywhere [default: bound]
+    #[arg(long, requires = "until")]
+    pub(crate) measure: Option<MeasureName>,
     /// By how many rings `incremental` expands the selection [default: 1]
     #[arg(long, value_name = "R", allow_negative_numbers = true)]
     pub(crate) rings: Option<usize>,
@@ -577,6 +590,12 @@ impl MethodName {
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum MeasureName {
+    Bound,
+    Vertex,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum BoundaryName {
     Smooth,
     Corners,
@@ -691,6 +710,15 @@ fn frames(text: &str) -> Result<Frames, String> {
         (_, Ok(count @ 1..)) => Ok(Frames::Count(count)),
         _ => Err("expected a number, 1 or more, or `all`".to_owned()),
     }
+}
+
+fn length(text: &str) -> Result<Length, String> {
+    let (number, make): (_, fn(f64) -> _) = match text.strip_suffix('%') {
+        Some(percent) => (percent, Length::percent),
+        None => (text, Length::absolute),
+    };
+    let length = number.parse().ok().filter(|length| *length > 0.0).and_then(|length| make(length).ok());
+    length.ok_or_else(|| "expected a finite distance above 0, or one in percent, as in 0.1%".to_owned())
 }
 
 fn distance(text: &str) -> Result<f64, String> {

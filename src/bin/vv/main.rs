@@ -3,6 +3,7 @@
 //! One file a command; the rest is what several of them need: reading, tables, output that is checked before any work.
 //! It uses the public interface of the library only.
 
+mod aim;
 mod args;
 mod attributes;
 mod check;
@@ -42,7 +43,7 @@ use console::Failure;
 enum Outcome {
     /// Done: exit 0.
     Done,
-    /// Done, and what was looked for is there: exit 1.
+    /// Done, and what was looked for is there, or what was to be reached is not: exit 1.
     Found,
 }
 

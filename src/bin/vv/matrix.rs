@@ -6,6 +6,7 @@ use vvmesh::matrix::{SubdivisionMatrix, WeightMatrix};
 use vvmesh::step::Keep;
 
 use crate::Outcome;
+use crate::aim::Aim;
 use crate::args::{MatrixArguments, MethodName};
 use crate::console::{Failure, print, print_json, refuse};
 use crate::input::Input;
@@ -41,7 +42,7 @@ pub(crate) fn run(arguments: &mut MatrixArguments) -> Result<Outcome, Failure> {
     let face_limit = FaceLimit::with_matrix(asked, &mesh);
     let certificate = refine::scheme(asked).reach().is_some() && asked.method != MethodName::Uniform;
     let keep = Keep { names: false, certificate };
-    let mut run = refine::begin(mesh, asked, subdivider, keep, face_limit)?;
+    let mut run = refine::begin(mesh, asked, subdivider, keep)?;
     selecting.select(&mut run, 1)?;
     refine::refine(&mut run, asked, &selecting, face_limit, Some(&mut matrix), &mut bar)?;
     let weights = match limit::of_refinement(asked) {
@@ -63,7 +64,7 @@ pub(crate) fn run(arguments: &mut MatrixArguments) -> Result<Outcome, Failure> {
         let [rows, columns] = [count(sizes.rows, "row", "rows"), count(sizes.columns, "column", "columns")];
         print(&format!("wrote {}: {rows}, {columns}, {} nonzeros\n", output.display(), sizes.nonzeros))?;
     }
-    Ok(Outcome::Done)
+    Ok(run.aim.as_ref().map_or(Outcome::Done, Aim::outcome))
 }
 
 impl Sizes {

@@ -1,6 +1,7 @@
 //! How many faces fit the memory of the machine.
 
 use std::fmt::Display;
+use std::ops::RangeInclusive;
 
 use sysinfo::{MemoryRefreshKind, System};
 use vvmesh::Mesh;
@@ -95,25 +96,33 @@ impl FaceLimit {
         faces <= self.faces
     }
 
-    /// Refuses a uniform run of which some level would be too large, each step making `parts` of a face.
-    pub(crate) fn refuse_uniform(self, faces: usize, parts: u64, levels: u8) -> Result<(), Failure> {
-        let mut needed = faces as u64;
-        for level in 1..=levels {
-            needed = needed.saturating_mul(parts);
-            if needed > self.faces {
-                return refuse(self.refusal(level, needed));
+    /// Refuses levels of which some would be too large: at each step from this level on `growing` of the faces become `parts`
+    /// times as many, and all that come of them go on.
+    pub(crate) fn refuse_growth(
+        self,
+        faces: usize,
+        growing: usize,
+        parts: u64,
+        levels: RangeInclusive<u8>,
+    ) -> Result<(), Failure> {
+        let (rest, mut grown) = ((faces - growing) as u64, growing as u64);
+        for level in levels {
+            grown = grown.saturating_mul(parts);
+            let needed = grown.saturating_add(rest);
+            if needed > self.faces && growing > 0 {
+                return refuse(self.refusal_of(format_args!("level {level}"), needed));
             }
         }
         Ok(())
     }
 
-    /// Why a level is not made.
-    pub(crate) fn refusal(self, level: u8, needed: u64) -> String {
-        self.refusal_of(format_args!("level {level}"), needed)
-    }
-
     /// Why a mesh that is called by a name is not made.
     pub(crate) fn refusal_of(self, name: impl Display, needed: u64) -> String {
+        format!("{}. Nothing was written", self.excess_of(name, needed))
+    }
+
+    /// How much too large a mesh is that is called by a name.
+    pub(crate) fn excess_of(self, name: impl Display, needed: u64) -> String {
         let why = match self.memory {
             Some(bytes) => format!(
                 "the {:.1} GiB of free memory hold about {}; take fewer levels or a smaller selection, or allow more with --max-faces",
@@ -124,7 +133,7 @@ impl FaceLimit {
                 format!("--max-faces allows {}; take fewer levels, a smaller selection or a higher limit", self.faces)
             }
         };
-        format!("{name} would have {needed} faces; {why}. Nothing was written")
+        format!("{name} would have {needed} faces; {why}")
     }
 }
 

@@ -26,14 +26,15 @@ impl Bar {
         Self { started: Instant::now(), terminal: stderr().is_terminal(), bar: None }
     }
 
-    /// Shows how far a level is.
-    pub(crate) fn show(&mut self, level: u8, progress: Progress) -> ControlFlow<()> {
+    /// Shows how far a level is, and the greatest distance that is left before it, if that is known.
+    pub(crate) fn show(&mut self, level: u8, error: Option<f64>, progress: Progress) -> ControlFlow<()> {
         if self.is_shown() {
             let bar = self.bar.get_or_insert_with(|| {
                 let style = ProgressStyle::with_template("{msg} [{bar:40}] {percent}% of {len} positions");
                 ProgressBar::no_length().with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
             });
-            bar.set_message(format!("level {level}"));
+            let error = error.map_or(String::new(), |error| format!(", error left {error:.3e}"));
+            bar.set_message(format!("level {level}{error}"));
             bar.set_length(progress.total as u64);
             bar.set_position(progress.done as u64);
         }

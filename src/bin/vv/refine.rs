@@ -7,13 +7,15 @@ use vvmesh::certify::Certificate;
 use vvmesh::error::{ConfigError, RefineError};
 use vvmesh::io::{FaceAttributes, ObjTags};
 use vvmesh::scheme::{AnyScheme, Butterfly, FourEight, Loop, Midpoint, ModifiedButterfly, Sqrt3};
-use vvmesh::select::Expression;
+use vvmesh::select::{Elements, Expression};
 use vvmesh::soup::FaceList;
 use vvmesh::split::Diagonal;
 use vvmesh::step::{Blocks, Cause, Keep, SplitKind, Spoiler};
 use vvmesh::subdivide::{AnyMethod, Control, Follower, Subdivider};
-use vvmesh::{Mesh, VertexId};
+use vvmesh::until::Until;
+use vvmesh::{Mesh, Triangle, VertexId};
 
+use crate::aim::Aim;
 use crate::args::{BlocksName, BoundaryName, DiagonalName, MethodName, RefineArguments, SchemeName, loop_weights};
 use crate::console::{Failure, note, refuse, warning};
 use crate::input::{FaceNumbers, SELECT_EACH};
@@ -24,6 +26,12 @@ use crate::run::Run;
 use crate::table::count;
 use crate::{fields, input, limit, sharp};
 
+/// The expression if none is given.
+const ALL: &str = "all";
+
+/// What stands in place of an expression if `--until` selects.
+const UNTIL: &str = "until";
+
 /// How many examples a warning gives.
 const EXAMPLES: usize = 3;
 
@@ -33,6 +41,11 @@ pub(crate) fn prepare(arguments: &mut RefineArguments) -> Result<(Subdivider, Se
     arguments.levels = levels(arguments, &selecting)?;
     let scheme = scheme(arguments);
     refuse_without_meaning(arguments, &scheme)?;
+    if arguments.until.is_some() {
+        method(arguments)
+            .and_then(|method| Until::allow(&method))
+            .or_else(|error| refuse(format!("--until: {error}")))?;
+    }
     Ok((subdivider(arguments, scheme)?, selecting))
 }
 
@@ -43,7 +56,7 @@ fn levels(arguments: &RefineArguments, selecting: &Selecting) -> Result<Option<u
         (Some(levels), Some(values)) if usize::from(levels) != values => refuse(format!(
             "--levels {levels} does not agree with --select-each, which has {values} values, one a level; leave --levels out"
         )),
-        (None, None) if arguments.accuracy.is_none() => {
+        (None, None) if arguments.accuracy.is_none() && arguments.until.is_none() => {
             refuse("--levels <N> is missing; only a list of values in --select-each takes its place".to_owned())
         }
         (None, Some(values)) => Ok(u8::try_from(values).ok()),
@@ -70,26 +83,53 @@ pub(crate) fn inputs<'a>(arguments: &'a RefineArguments, selecting: &'a Selectin
     inputs
 }
 
-/// Refuses what would not fit.
+/// A run before its first step, with what it is to reach.
 pub(crate) fn begin(
     mesh: Mesh,
     arguments: &RefineArguments,
     subdivider: Subdivider,
     keep: Keep,
-    limit: FaceLimit,
 ) -> Result<Run, Failure> {
-    if arguments.method == MethodName::Uniform {
-        let parts = match scheme(arguments).split_kind() {
-            SplitKind::Quadrisect => 4,
-            SplitKind::Trisect => 3,
-            SplitKind::Bisect => 2,
-        };
-        limit.refuse_uniform(mesh.face_count(), parts, arguments.levels())?;
-    }
-    Ok(Run::new(mesh, subdivider, keep))
+    let aim = Aim::new(arguments, &mesh)?;
+    let mut run = Run::new(mesh, subdivider, keep);
+    run.aim = aim;
+    Ok(run)
 }
 
-/// Makes all levels.
+/// Refuses levels of a selection that is followed, if already the faces inside of it become too many.
+fn refuse_growth(run: &Run, arguments: &RefineArguments, limit: FaceLimit) -> Result<(), Failure> {
+    let (first, faces) = (run.next_level(), run.mesh.face_count());
+    let last = run.made_levels().saturating_add(arguments.levels());
+    let inside = match run.selection.elements() {
+        Elements::Vertices(vertices) if vertices.len() == run.mesh.vertex_count() => faces,
+        Elements::Vertices(_) => {
+            let is_inside = |triangle: &Triangle| triangle.corners().iter().all(|&v| run.selection.contains(v));
+            run.mesh.triangles().filter(is_inside).count()
+        }
+        Elements::Faces(faces) => faces.len(),
+        // A face may keep some of its own.
+        Elements::Edges(_) => 0,
+    };
+    let (parts, splits_inside) = match scheme(arguments).split_kind() {
+        SplitKind::Quadrisect => (4, true),
+        // What lies inside of a part does not stay there.
+        SplitKind::Trisect => (3, false),
+        SplitKind::Bisect => (2, false),
+    };
+    let growing = match arguments.method {
+        MethodName::Uniform => faces,
+        MethodName::Mobile => 0,
+        // Of the faces that are shown some may be taken back.
+        method if method.is_on_hierarchy() && first > 1 => 0,
+        // Nor are edges split then because they are selected.
+        _ if arguments.min_move.is_some() => 0,
+        _ if splits_inside || inside == faces => inside,
+        _ => 0,
+    };
+    limit.refuse_growth(faces, growing, parts, first..=last)
+}
+
+/// Makes all levels, or as many as it takes to reach what is to be reached; [`Run::aim`] tells whether it was.
 pub(crate) fn refine(
     run: &mut Run,
     arguments: &RefineArguments,
@@ -100,7 +140,16 @@ pub(crate) fn refine(
 ) -> Result<(), Failure> {
     let reach = scheme(arguments).reach();
     let (first, last) = (run.next_level(), run.made_levels().saturating_add(arguments.levels()));
+    let mut aim = run.aim.take();
+    match &mut aim {
+        Some(aim) => aim.look(run)?,
+        None if selecting.each_level => {}
+        None => refuse_growth(run, arguments, limit)?,
+    }
     for level in first..=last {
+        if aim.as_ref().is_some_and(Aim::is_reached) {
+            break;
+        }
         if selecting.each_level && level > first {
             bar.hide();
             selecting.select(run, usize::from(level - first) + 1)?;
@@ -113,16 +162,28 @@ pub(crate) fn refine(
             }
             _ => Vec::new(),
         };
-        let mut show = |progress| bar.show(level, progress);
+        let error = aim.as_ref().map(Aim::error);
+        let mut show = |progress| bar.show(level, error, progress);
         let follower = follower.as_mut().map(|follower| &mut **follower as &mut dyn Follower);
         let step = run.step(&mut Control { max_faces: Some(limit.faces), progress: Some(&mut show), follower });
-        let step = step.map_err(|error| {
-            bar.hide();
-            Failure(match error {
-                RefineError::TooManyFaces { needed, .. } => limit.refusal(level, needed),
-                other => format!("level {level}: {other}. Nothing was written"),
-            })
-        })?;
+        let step = match step {
+            Ok(step) => step,
+            Err(error) => {
+                bar.hide();
+                let reason = match error {
+                    RefineError::TooManyFaces { needed, .. } => limit.excess_of(format_args!("level {level}"), needed),
+                    ref other => format!("level {level}: {other}"),
+                };
+                if aim.is_some() && matches!(error, RefineError::TooManyFaces { .. }) {
+                    note(reason);
+                    break;
+                }
+                return refuse(format!("{reason}. Nothing was written"));
+            }
+        };
+        if let Some(aim) = &mut aim {
+            aim.look(run)?;
+        }
         if step.did_nothing() {
             break;
         }
@@ -136,6 +197,7 @@ pub(crate) fn refine(
         }
     }
     bar.hide();
+    run.aim = aim;
     Ok(())
 }
 
@@ -152,7 +214,8 @@ impl Selecting {
     fn new(arguments: &RefineArguments) -> Result<Self, Failure> {
         let each_level = arguments.select_each.is_some();
         let option = if each_level { SELECT_EACH } else { "--select" };
-        let (expression, files) = input::parse_expression(option, expression(arguments), arguments.view.camera)?;
+        let text = arguments.select_each.as_deref().or(arguments.select.as_deref()).unwrap_or(ALL);
+        let (expression, files) = input::parse_expression(option, text, arguments.view.camera)?;
         Ok(Self { option, expression, files, each_level })
     }
 
@@ -180,8 +243,10 @@ impl Selecting {
     }
 }
 
+/// What was asked for, as it is told and compared: an expression, or [`UNTIL`].
 pub(crate) fn expression(arguments: &RefineArguments) -> &str {
-    arguments.select_each.as_deref().or(arguments.select.as_deref()).unwrap_or("all")
+    let otherwise = if arguments.until.is_some() { UNTIL } else { ALL };
+    arguments.select_each.as_deref().or(arguments.select.as_deref()).unwrap_or(otherwise)
 }
 
 /// The expression with the camera that looks, for what is to know whether both are the same as before.
@@ -288,6 +353,16 @@ fn refuse_without_meaning(arguments: &RefineArguments, scheme: &AnyScheme) -> Re
             "--min-move",
             arguments.min_move.is_some() && *name != SchemeName::Butterfly,
             format!("--scheme {name}: it is the movement of a new vertex under `butterfly`, which moves no other"),
+        ),
+        (
+            "--until",
+            arguments.until.is_some() && !is_loop,
+            format!("--scheme {name}: the distance to the limit surface is known under `loop` alone"),
+        ),
+        (
+            "--limit",
+            arguments.limit && arguments.until.is_some(),
+            "--until: what is reached is the distance of vertices that stay off the surface".to_owned(),
         ),
         (
             "--limit",

@@ -23,6 +23,9 @@ pub(crate) struct Row {
     /// Only of static/mobile subdivision.
     #[serde(flatten)]
     pub(crate) mobile: Option<MobileRow>,
+    /// Only with `--until`: the greatest distance left; infinite, which is `null` in JSON, where something is semi-sharp.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) error: Option<f64>,
     pub(crate) seconds: f64,
 }
 
@@ -33,6 +36,17 @@ pub(crate) struct MobileRow {
     pub(crate) static_vertices: usize,
     pub(crate) faces_by_mobile_corners: [usize; 4],
     pub(crate) unclosed_faces: usize,
+}
+
+/// What was to be reached, and what is left: the greatest distance of the mesh that came in, and of that which goes out.
+#[derive(Serialize, Clone, Copy, Debug)]
+pub(crate) struct UntilReport {
+    pub(crate) accuracy: f64,
+    pub(crate) measure: &'static str,
+    pub(crate) first_error: f64,
+    pub(crate) error: f64,
+    pub(crate) far_faces: usize,
+    pub(crate) reached: bool,
 }
 
 /// Sizes of a mesh.
@@ -76,6 +90,9 @@ pub(crate) struct Report {
     pub(crate) limit: bool,
     /// `None` of methods that do not look at limits.
     pub(crate) accuracy: Option<f64>,
+    /// Only with `--until`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) until: Option<UntilReport>,
     /// Whether cracks were closed, which only *mobile* may leave.
     pub(crate) closed: bool,
     pub(crate) input: Sizes,
@@ -102,6 +119,8 @@ pub(crate) fn table(levels: &[Row]) -> Table {
     if is_mobile {
         columns.extend(["static", "faces of 0/1/2/3 mobile corners", "unclosed faces"]);
     }
+    let has_error = levels.iter().any(|row| row.error.is_some());
+    columns.extend(has_error.then_some("error left"));
     columns.push("time");
     let mut table = Table::new(&columns);
     for row in levels {
@@ -113,6 +132,7 @@ pub(crate) fn table(levels: &[Row]) -> Table {
             let by_corners = faces_by_mobile_corners.map(|count| count.to_string()).join("/");
             cells.extend([static_vertices.to_string(), by_corners, unclosed_faces.to_string()]);
         }
+        cells.extend(row.error.map(|error| format!("{error:.3e}")));
         cells.push(seconds(row.seconds));
         table.row(&cells);
     }

@@ -11,6 +11,7 @@ use vvmesh::select::Selection;
 use vvmesh::step::{History, Keep};
 use vvmesh::subdivide::{Control, Step, Subdivider};
 
+use crate::aim::Aim;
 use crate::report::{MobileRow, Row, Sizes, Totals};
 
 /// What all steps of a run share.
@@ -25,6 +26,8 @@ pub(crate) struct Run {
     pub(crate) selections: Option<Vec<Selection>>,
     /// What the file says of the faces, if it is written again.
     pub(crate) attributes: Option<ObjAttributes>,
+    /// What is to be reached, if something is.
+    pub(crate) aim: Option<Aim>,
     subdivider: Subdivider,
 }
 
@@ -33,7 +36,7 @@ impl Run {
         let history = History::new(&mesh, keep);
         let (selection, scratch) = (Selection::empty(), Scratch::new());
         let (levels, selections) = (Vec::new(), None);
-        Self { mesh, history, selection, scratch, levels, selections, attributes: None, subdivider }
+        Self { mesh, history, selection, scratch, levels, selections, attributes: None, aim: None, subdivider }
     }
 
     /// Makes one step for the selection, which then is the one that follows.
@@ -66,6 +69,7 @@ impl Run {
                 faces_by_mobile_corners: counts.faces_by_mobile_corners,
                 unclosed_faces: counts.faces,
             }),
+            error: None,
             seconds,
         });
         let selected = std::mem::replace(&mut self.selection, step.selection.clone());

@@ -12,6 +12,7 @@ use vvmesh::step::Keep;
 use vvmesh::subdivide::Subdivider;
 
 use crate::Outcome;
+use crate::aim::Aim;
 use crate::args::{BoundaryName, CreasesName, MethodName, SubdivideArguments};
 use crate::attributes::{self, Finished};
 use crate::console::{Failure, json, print, refuse};
@@ -77,7 +78,7 @@ pub(crate) fn run(arguments: &mut SubdivideArguments) -> Result<Outcome, Failure
     } else {
         print(&text(arguments, &report, finished.face_count()))?;
     }
-    Ok(Outcome::Done)
+    Ok(run.aim.as_ref().map_or(Outcome::Done, Aim::outcome))
 }
 
 /// What a run is made of beside its mesh.
@@ -97,7 +98,7 @@ impl Ready<'_> {
         let (arguments, asked) = (self.arguments, &self.arguments.refine);
         let boundary = refine::tag(&mut mesh, tags, asked)?;
         let state = arguments.state.as_ref().map(|_| State::new(&mesh, asked, boundary));
-        let mut run = refine::begin(mesh, asked, self.subdivider, keep(arguments), self.limit)?;
+        let mut run = refine::begin(mesh, asked, self.subdivider, keep(arguments))?;
         run.selections = state.as_ref().map(|_| Vec::new());
         attach(arguments, &mut run, self.said)?;
         Ok((run, boundary, state))
@@ -109,7 +110,7 @@ impl Ready<'_> {
         let (arguments, asked) = (self.arguments, &self.arguments.refine);
         let (first, boundary) = state.begin(path)?;
         let is_first = state::is_same(mesh, &first);
-        let mut run = refine::begin(first, asked, self.subdivider, keep(arguments), self.limit)?;
+        let mut run = refine::begin(first, asked, self.subdivider, keep(arguments))?;
         run.selections = Some(Vec::new());
         let mut said = self.said;
         if is_first {
@@ -192,6 +193,7 @@ fn report(arguments: &SubdivideArguments, run: &Run, input: Sizes, boundary: Bou
         min_move: asked.min_move,
         limit: asked.limit,
         accuracy: asked.accuracy.map(Accuracy::distance),
+        until: run.aim.as_ref().map(Aim::report),
         closed: !arguments.is_unclosed(),
         input,
         levels: run.levels.clone(),
