@@ -3,7 +3,7 @@
 use crate::id::Triangle;
 use crate::mesh::Mesh;
 use crate::predict::FullSize;
-use crate::select::Selection;
+use crate::select::{Elements, Selection};
 use crate::step::SplitKind;
 
 /// Faces and vertices after so many uniform steps; `None` if 64 bits do not hold them, and of bisections, as it is the pairing
@@ -20,16 +20,20 @@ pub(super) fn uniform(mesh: &Mesh, kind: SplitKind, steps: u8) -> Option<[u64; 2
 /// the faces inside of it stay inside. As many as there are if nothing is known. O(vertices + faces · log(selected)).
 pub(super) fn at_least(mesh: &Mesh, selection: &Selection, kind: SplitKind, steps: u8) -> u64 {
     let faces = mesh.face_count() as u64;
-    let is_inside = |triangle: &Triangle| triangle.corners().iter().all(|&v| selection.contains(v));
+    let inside = match selection.elements() {
+        Elements::Vertices(_) => {
+            let is_inside = |triangle: &Triangle| triangle.corners().iter().all(|&v| selection.contains(v));
+            mesh.triangles().filter(is_inside).count() as u64
+        }
+        Elements::Faces(faces) => faces.len() as u64,
+        Elements::Edges(_) => 0,
+    };
     match kind {
         SplitKind::Quadrisect => {
-            let inside = mesh.triangles().filter(is_inside).count() as u64;
             let parts = 4_u64.saturating_pow(steps.into());
-            inside.saturating_mul(parts).saturating_add(faces - inside)
+            inside.saturating_mul(parts).saturating_add(faces.saturating_sub(inside))
         }
-        SplitKind::Trisect if selection.len() == mesh.vertex_count() => {
-            trisected(mesh, steps).map_or(u64::MAX, |[faces, _]| faces)
-        }
+        SplitKind::Trisect if inside == faces => trisected(mesh, steps).map_or(u64::MAX, |[faces, _]| faces),
         SplitKind::Trisect | SplitKind::Bisect => faces,
     }
 }
