@@ -70,9 +70,9 @@ fn percent_is_of_the_diagonal() {
     let desk = Desk::new();
     let diagonal = bounds(&desk.mesh("torus.off")).unwrap().diagonal();
     let json = desk.done(&format!("{UNTIL} 1% --json")).json();
-    assert_eq!(json["until"]["accuracy"].as_f64(), Some(0.01 * diagonal));
+    assert_eq!(json["until"]["accuracy"].as_f64(), Some(diagonal / 100.0));
     let percent = desk.read("near.obj");
-    desk.done(&format!("{UNTIL} {}", 0.01 * diagonal));
+    desk.done(&format!("{UNTIL} {}", diagonal / 100.0));
     assert_eq!(desk.read("near.obj"), percent);
     desk.write("point.obj", "v 1 2 3\n");
     desk.vv("subdivide point.obj -o o.obj --scheme loop --until 1%").assert_refused("no distance above 0");
