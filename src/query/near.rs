@@ -94,18 +94,22 @@ pub fn path_disk(
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
     use crate::shapes;
 
     #[test]
     fn a_ball_does_not_reach_through_to_the_other_side() {
-        // Two sheets of a flat torus of tubes lie near each other.
-        let mesh = shapes::torus(40, 20, 2.0, 0.2);
-        let v = VertexId::new(0);
-        let disk = ball_disk(&mesh, [v], mesh.position(v), 0.3, &mut Scratch::new());
-        let inside = |w: &VertexId| mesh.position(*w).distance(mesh.position(v)) <= 0.3;
-        assert!(disk.iter().all(inside) && disk.len() > 20);
-        assert!(disk.len() <= mesh.vertices().filter(inside).count());
+        // A strip folded over in the middle: vertex (7, 1) comes to lie right above (1, 1).
+        let mut mesh = shapes::grid(8, 2);
+        for position in mesh.positions_mut().iter_mut().filter(|position| position.x > 4.0) {
+            *position = DVec3::new(8.0 - position.x, position.y, 0.1);
+        }
+        let [v, above] = [10, 16].map(VertexId::new);
+        let disk = ball_disk(&mesh, [v], mesh.position(v), 1.0, &mut Scratch::new());
+        assert!(mesh.position(above).distance(mesh.position(v)) < 0.2 && !disk.contains(&above));
+        assert_eq!(disk.into_iter().collect::<BTreeSet<_>>(), [1, 9, 10, 11, 19].map(VertexId::new).into());
     }
 
     #[test]
