@@ -85,7 +85,8 @@ impl Canvas {
         self.put(&format!(r#"<text x="{x}" y="{y}" fill="{ink}" stroke="none" text-anchor="middle">{text}</text>"#));
     }
 
-    fn put(&mut self, element: &str) {
+    /// Any element.
+    pub(crate) fn put(&mut self, element: &str) {
         self.body.push_str(element);
         self.body.push('\n');
     }

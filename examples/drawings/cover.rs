@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::error::Error;
-use std::fmt::Write;
 
 use vvmesh::adaptive::{AdaptiveMethod, Incremental, Simple, Uniform};
 use vvmesh::glam::DVec3;
@@ -13,12 +12,13 @@ use vvmesh::step::{History, Keep};
 use vvmesh::subdivide::{Control, Subdivider};
 use vvmesh::{Mesh, VertexId};
 
-use super::canvas::ink;
+use super::canvas::{Canvas, ink};
+use super::solid::View;
 
-/// Tenths of a pixel for a unit of the model, for a panel, and for the lines of text below it.
-const SCALE: f64 = 330.0;
-const PANEL: [f64; 2] = [2300.0, 2900.0];
-const TEXT: f64 = 420.0;
+/// Pixels for a unit of the model, for a panel, and for the lines of text below it.
+const SCALE: f64 = 33.0;
+const PANEL: [f64; 2] = [230.0, 290.0];
+const TEXT: f64 = 42.0;
 const STEPS: usize = 2;
 
 /// A mesh with what is selected on it.
@@ -34,30 +34,17 @@ pub(crate) fn cover() -> Result<String, Box<dyn Error>> {
     let coarse = Run { history: History::new(&start, KEEP), mesh: start, selection };
     let uniform = run(&coarse, Uniform)?;
 
-    let mut out = String::new();
-    let size = [4.0 * PANEL[0], PANEL[1] + TEXT];
-    write!(
-        out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" \
-         font-family=\"sans-serif\" font-size=\"130\" text-anchor=\"middle\" stroke-linejoin=\"round\">\n\
-         <rect width=\"{2}\" height=\"{3}\" fill=\"{}\"/>\n",
-        size[0] / 10.0,
-        size[1] / 10.0,
-        size[0],
-        size[1],
-        ink::WHITE
-    )?;
-    panel(&mut out, 0, &coarse, "coarse", "blue: what is selected")?;
+    let mut canvas = Canvas::new(4.0 * PANEL[0], PANEL[1] + TEXT);
+    panel(&mut canvas, 0, &coarse, "coarse", "blue: what is selected");
     for (number, name, run) in
         [(1, "simple", run(&coarse, Simple)?), (2, "incremental", run(&coarse, Incremental::new(1)?)?)]
     {
         let off = deviation(&run, &uniform).ok_or("a selected vertex has no uniform twin")?;
         let told = if off == 0.0 { "0".into() } else { format!("{off:.3}") };
-        panel(&mut out, number, &run, name, &format!("blue differs from uniform by {told}"))?;
+        panel(&mut canvas, number, &run, name, &format!("blue differs from uniform by {told}"));
     }
-    panel(&mut out, 3, &uniform, "uniform", "everything is refined")?;
-    out.push_str("</svg>\n");
-    Ok(out)
+    panel(&mut canvas, 3, &uniform, "uniform", "everything is refined");
+    Ok(canvas.finish())
 }
 
 const KEEP: Keep = Keep { names: true, certificate: false };
@@ -81,43 +68,16 @@ fn deviation(run: &Run, uniform: &Run) -> Option<f64> {
     run.selection.vertices().iter().map(distance).try_fold(0.0, |most: f64, distance| Some(most.max(distance?)))
 }
 
-fn panel(out: &mut String, number: usize, run: &Run, name: &str, note: &str) -> std::fmt::Result {
-    let left = number as f64 * PANEL[0];
-    // From far away, a little from above and from the side; x to the right, y up, z to the eye.
-    let eye = DVec3::new(0.55, 0.35, 1.0).normalize();
-    let right = DVec3::Y.cross(eye).normalize();
-    let up = eye.cross(right);
-    let at = |p: DVec3| {
-        let p = p - DVec3::new(2.5, 3.75, 0.0);
-        [left + PANEL[0] / 2.0 + SCALE * p.dot(right), PANEL[1] / 2.0 - SCALE * p.dot(up)].map(|x| x.round() as i64)
-    };
-    let mut seen: Vec<(f64, String)> = Vec::new();
-    for triangle in run.mesh.triangles() {
-        let corners = triangle.corners().map(|v| run.mesh.position(v));
-        let [a, b, c] = corners;
-        let normal = (b - a).cross(c - a).normalize_or_zero();
-        if normal.dot(eye) <= 0.0 {
-            continue;
-        }
-        let selected = triangle.corners().iter().all(|&v| run.selection.contains(v));
-        let light = 0.62 + 0.38 * normal.dot(DVec3::new(-0.2, 0.8, 0.6).normalize()).max(0.0);
-        let fill = if selected { [150.0, 200.0, 240.0] } else { [236.0, 232.0, 224.0] };
-        let [red, green, blue] = fill.map(|part| ((part * light / 4.0_f64).round() * 4.0) as u8);
-        let [[ax, ay], [bx, by], [cx, cy]] = corners.map(at);
-        let path = format!("<path fill=\"#{red:02x}{green:02x}{blue:02x}\" d=\"M{ax} {ay}L{bx} {by}L{cx} {cy}z\"/>");
-        seen.push(((a + b + c).dot(eye), path));
-    }
-    // Painted from the far side; depths are compared to a thousandth, ties by the order of the mesh.
-    seen.sort_by_key(|(depth, _)| (depth * 1000.0).round() as i64);
-    writeln!(out, "<g stroke=\"#52606d\" stroke-width=\"4\">")?;
-    for (_, path) in seen {
-        writeln!(out, "{path}")?;
-    }
-    writeln!(out, "</g>")?;
-    let middle = left + PANEL[0] / 2.0;
-    let line = format!("{name}: {} faces", run.mesh.face_count());
-    writeln!(out, "<text x=\"{middle}\" y=\"{}\" fill=\"{}\">{line}</text>", PANEL[1] + 120.0, ink::DARK)?;
-    writeln!(out, "<text x=\"{middle}\" y=\"{}\" fill=\"{}\">{note}</text>", PANEL[1] + 300.0, ink::DARK)
+fn panel(canvas: &mut Canvas, number: usize, run: &Run, name: &str, note: &str) {
+    let middle = (number as f64 + 0.5) * PANEL[0];
+    // A little from above and from the side.
+    let mut view = View::from(DVec3::new(0.55, 0.35, 1.0), DVec3::Y);
+    view.scale = SCALE;
+    let [x, y] = view.at(DVec3::new(2.5, 3.75, 0.0));
+    view.origin = [middle - x, PANEL[1] / 2.0 - y];
+    view.paint(canvas, &run.mesh, &run.selection, false);
+    canvas.text([middle, PANEL[1] + 12.0], &format!("{name}: {} faces", run.mesh.face_count()), ink::DARK);
+    canvas.text([middle, PANEL[1] + 30.0], note, ink::DARK);
 }
 
 /// An animal of unit cubes: four legs, a body, a neck and a head. Every square between a cube and the air is cut in two.

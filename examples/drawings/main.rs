@@ -6,6 +6,7 @@
 mod canvas;
 mod cover;
 mod sheet;
+mod solid;
 mod steps;
 mod words;
 
