@@ -17,9 +17,10 @@
 //! assert_eq!(mesh.rotation().triangles_around(v).len(), 5);
 //! ```
 //!
-//! A [`Criterion`] makes a [`Selection`] of vertices, edges or faces. A [`Subdivider`] is a [scheme](scheme) with an [adaptive
-//! method](adaptive); each of its steps refines the region that the method chooses for a selection, and answers with the
-//! selection that follows. What is remembered between steps is a [`History`] that the caller holds.
+//! A [`Criterion`] makes a [`Selection`] of vertices, edges or faces (which when: `docs/criteria.md`, with a picture of each). A
+//! [`Subdivider`] is a [scheme](scheme) with an [adaptive method](adaptive); each of its steps refines the region that the
+//! method chooses for a selection, and answers with the selection that follows. What is remembered between steps is a
+//! [`History`] that the caller holds.
 //!
 //! ```
 //! use vvmesh::adaptive::Incremental;

@@ -5,6 +5,7 @@
 
 mod canvas;
 mod cover;
+pub mod criteria;
 mod sheet;
 mod solid;
 mod steps;
@@ -14,10 +15,14 @@ use std::error::Error;
 use std::path::Path;
 
 /// Every drawing: the name of its file, and the file.
-pub fn all() -> Result<Vec<(&'static str, String)>, Box<dyn Error>> {
+pub fn all() -> Result<Vec<(String, String)>, Box<dyn Error>> {
     let mut drawings = words::all();
     drawings.extend(steps::all()?);
     drawings.push(("cover", cover::cover()?));
+    let mut drawings: Vec<_> = drawings.into_iter().map(|(name, file)| (name.to_owned(), file)).collect();
+    for row in criteria::ROWS {
+        drawings.push((format!("criteria/{}", row.name()), row.draw()?));
+    }
     Ok(drawings)
 }
 

@@ -35,6 +35,19 @@ impl View {
         Self { axes: [right, eye.cross(right), eye], scale: 1.0, origin: [0.0; 2] }
     }
 
+    /// The same with some points in the middle of a rectangle, as large as it can hold them.
+    pub(crate) fn fit(self, points: impl IntoIterator<Item = DVec3>, [left, top]: Point, size: Point) -> Self {
+        let plain = Self { scale: 1.0, origin: [0.0; 2], ..self };
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for at in points.into_iter().map(|point| plain.at(point)) {
+            low = [0, 1].map(|k| at[k].min(low[k]));
+            high = [0, 1].map(|k| at[k].max(high[k]));
+        }
+        let scale = (size[0] / (high[0] - low[0])).min(size[1] / (high[1] - low[1]));
+        let origin = [0, 1].map(|k| [left, top][k] + (size[k] - scale * (low[k] + high[k])) / 2.0);
+        Self { scale, origin, ..self }
+    }
+
     pub(crate) fn at(&self, point: DVec3) -> Point {
         let [right, up, _] = self.axes;
         [self.origin[0] + self.scale * point.dot(right), self.origin[1] - self.scale * point.dot(up)]
