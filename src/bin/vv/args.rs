@@ -39,6 +39,8 @@ Expressions (vertices and faces count from 0, polygons after they are cut into t
 
 EPS and L are in the unit of the mesh, or with % behind them in percent of the diagonal of its box.
 With --select-each a threshold may be a list of values, one a level: normal-angle:10/20/30.
+!E is what E does not select of its own kind: !boundary are edges, whose ends may lie on the boundary;
+!(boundary & all) are the vertices inside.
 Steps split faces, so those of the file are named with --select, and followed by what is made of them.
 A face stands for itself among faces; with vertices beside it, or where vertices are asked for, it
 is its corners. `simple` splits all edges of selected faces, red-green methods these faces.
