@@ -27,7 +27,7 @@ pub(super) fn positions<W: WholeSplit>(
     whole: &W,
     old: &[DVec3],
     even: Option<impl Fn(VertexId) -> DVec3 + Sync>,
-    odd: impl Fn(W::Made) -> DVec3 + Sync,
+    odd: impl Fn(W::Made) -> DVec3 + Sync + Copy,
     blamed: impl Fn(W::Made) -> VertexId + Sync,
     control: &mut Control<'_>,
 ) -> Result<Vec<DVec3>, RefineError> {
@@ -46,7 +46,8 @@ pub(super) fn positions<W: WholeSplit>(
     for block in numbers.owning_blocks() {
         let done = new.len();
         control.report(done - kept, total)?;
-        whole.append_new(block.clone(), &mut new, &odd);
+        // By value, as through a reference it would not always be inlined.
+        whole.append_new(block.clone(), &mut new, odd);
         if let Some(k) = parallel::find(done..new.len(), |k| !new[k].is_finite()) {
             let mut names = Vec::new();
             whole.append_new(block, &mut names, |made| Some(blamed(made)));
